@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/field.hpp"
+#include "core/forest/inventory.hpp"
+#include "core/jobs/progress.hpp"
+#include "core/survey/alignment.hpp"
+
+namespace stemwise {
+
+/// What a person already knows or has decided (product.md, "decisions by hand bind every later run").
+struct AlignHints {
+  struct SameTree {
+    StemRef a;
+    StemRef b;
+  };
+  struct RoughPose {
+    InventoryId inventory;
+    double x_m = 0.0, y_m = 0.0;  ///< of the inventory's origin in the reference
+    double yaw_rad = 0.0;
+    double radius_m = 10.0;       ///< how far off it may be
+    double yaw_radius_rad = 0.35;
+  };
+  std::vector<SameTree> same_tree;   ///< linked or accepted: must join
+  std::vector<SameTree> not_same;    ///< rejected or unlinked: must not join
+  std::vector<RoughPose> rough_poses;
+};
+
+struct AlignSettings {
+  std::string preset = "auto";  ///< TreeLoc++ parameters for frames: auto, plot, route
+  std::uint64_t seed = 0;
+  int threads = 0;              ///< 0: all; the result does not depend on it
+  bool accept_probable = false;
+  Fields fields();              ///< every setting below and of the steps
+};
+
+/// Aligns every inventory to the reference and matches their stems (method.md 9, stem-lists.md). No first guess is
+/// needed. `reference` 0: the inventory with the most trees. Never throws for bad data: a refusal is a status with a
+/// reason. Throws Cancelled.
+SurveyAlignment align_surveys(std::span<const Inventory* const> inventories, InventoryId reference, const AlignSettings& settings,
+                              const AlignHints& hints, const Progress& progress);
+
+}  // namespace stemwise
