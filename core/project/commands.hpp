@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/project/command.hpp"
+#include "core/survey/alignment.hpp"
+
+namespace stemwise {
+
+// Makers of every command there is. The classes behind them are private to their files (one per verb).
+
+/// `inventory.id` is given by the project on apply (next_inventory); a name that is taken gets "-2", "-3", ...
+/// The first inventory, or one with more trees than the reference while nothing is aligned, becomes the reference.
+CommandPtr add_inventory(Inventory inventory);
+CommandPtr remove_inventory(InventoryId id);
+CommandPtr rename_inventory(InventoryId id, std::string name);
+CommandPtr set_inventory_date(InventoryId id, std::optional<Date> date);
+CommandPtr set_reference(InventoryId id);  ///< forgets alignments and automatic matches
+/// Takes the result of align_surveys: poses, pairs and automatic matches replace the earlier ones, decisions by hand stay
+/// (linked stays linked, rejected stays rejected), tree ids stay wherever a tree keeps one of its stems.
+CommandPtr apply_alignment(SurveyAlignment result, std::vector<std::pair<InventoryId, Coverage>> coverages);
+CommandPtr accept_probable(InventoryId id);
+
+CommandPtr accept_match(StemRef a, StemRef b, EditStamp stamp);
+CommandPtr reject_match(StemRef a, StemRef b, EditStamp stamp);  ///< the two are different trees, also in later runs
+/// The two are one tree: joins their trees; whatever other stem of the same inventory stood there is unlinked (rejected).
+CommandPtr link_stems(StemRef a, StemRef b, EditStamp stamp);
+/// Takes the stem out of its tree; it becomes a tree of its own, and its matches are rejected.
+CommandPtr unlink_stem(StemRef stem, EditStamp stamp);
+CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp);
+CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp);
+
+CommandPtr set_georeference(Georeference georeference);
+CommandPtr set_fusion_policy(FusionPolicy policy);
+CommandPtr set_coverage(InventoryId id, Coverage coverage);
+CommandPtr set_dbh_error(InventoryId id, std::optional<double> error_m);
+CommandPtr set_setting(std::string key, std::string value);
+CommandPtr set_title(std::string title);
+/// Several as one; reverted in reverse, rolled back when one throws.
+CommandPtr group(std::string label, std::vector<CommandPtr> commands);
+
+}  // namespace stemwise
