@@ -1,0 +1,28 @@
+#include "io/read_whole_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace stemwise {
+
+std::optional<FileBytes> read_whole_file(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return std::nullopt;
+  struct stat about {};
+  std::optional<FileBytes> bytes;
+  if (::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) {
+    const auto expected = static_cast<std::size_t>(about.st_size);
+    bytes.emplace(FileBytes{std::make_unique_for_overwrite<char[]>(expected + 1), 0});
+    while (bytes->size < expected) {
+      const ssize_t got = ::read(file, bytes->data.get() + bytes->size, expected - bytes->size);
+      if (got < 0) bytes.reset();
+      if (got <= 0) break;
+      bytes->size += static_cast<std::size_t>(got);
+    }
+  }
+  ::close(file);
+  return bytes;
+}
+
+}  // namespace stemwise
