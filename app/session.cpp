@@ -1,0 +1,90 @@
+#include "app/session.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace stemwise {
+namespace {
+
+Issue wrong(const std::string& file, const std::string& text, const std::string& help = "") {
+  return {Severity::error, file, 0, "", text, help};
+}
+
+std::string text_of(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+void read_config(const std::string& path, GivenSettings& given) {
+  std::ifstream in(path);
+  if (!in) {
+    given.issues.push_back(wrong(path, "cannot be read"));
+    return;
+  }
+  const nlohmann::json config = nlohmann::json::parse(in, nullptr, false);
+  if (!config.is_object()) {
+    given.issues.push_back(wrong(path, "is not a JSON object of settings", "for example {\"seed\": 1}"));
+    return;
+  }
+  for (const auto& [key, value] : config.items()) {
+    if (value.is_structured()) {
+      given.issues.push_back(wrong(path, "the value of '" + key + "' is not a number, a text, true or false"));
+    } else {
+      given.values.emplace_back(key, text_of(value));
+    }
+  }
+}
+
+}  // namespace
+
+GivenSettings given_settings(const CommonOptions& common) {
+  GivenSettings given;
+  if (!common.config.empty()) read_config(common.config, given);
+  for (const std::string& setting : common.settings) {
+    const auto sign = setting.find('=');
+    if (sign == std::string::npos || sign == 0) {
+      given.issues.push_back(wrong("", "--set " + setting + ": expected key=value"));
+    } else {
+      given.values.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
+    }
+  }
+  return given;
+}
+
+ExitCode Session::apply_settings(Fields fields) {
+  GivenSettings given = given_settings(common);
+  for (const auto& [key, value] : given.values) {
+    const Issues found = set_field(fields, key, value);
+    given.issues.insert(given.issues.end(), found.begin(), found.end());
+  }
+  console.issues(given.issues);
+  return has_error(given.issues) ? ExitCode::usage : ExitCode::done;
+}
+
+ExitCode Session::write_json(const std::string& text) {
+  if (common.json.empty()) return ExitCode::done;
+  console.end_progress();
+  const Issues found = write_text_file(common.json, text);
+  console.issues(found);
+  return has_error(found) ? ExitCode::failed : ExitCode::done;
+}
+
+Issues write_text_file(const std::string& path, const std::string& text) {
+  if (path == "-") {
+    std::cout << text << std::flush;
+    return std::cout ? Issues{} : Issues{wrong("stdout", "cannot be written")};
+  }
+  const std::string beside = path + ".part" + std::to_string(getpid());
+  std::ofstream out(beside, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code code;
+  if (out) std::filesystem::rename(beside, path, code);
+  if (out && !code) return {};
+  std::filesystem::remove(beside, code);
+  return {wrong(path, "cannot be written", "does the folder exist, and may you write there?")};
+}
+
+}  // namespace stemwise
