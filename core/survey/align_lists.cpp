@@ -1,0 +1,295 @@
+#include "core/survey/align_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+
+namespace stemwise {
+namespace {
+
+constexpr double start_sigma_in_cells = 1.3;
+constexpr double distinct_pose_m = 2.5;
+constexpr std::size_t poses_kept = 12;
+constexpr std::size_t poses_grown = 5;         // per scene and DBH model
+constexpr double overwhelming = 80.0;          // Lambda - ln N at which no further scene is asked
+constexpr std::size_t mirror_scenes_at_least = 2;
+
+struct ScoredPose {
+  PoseFit fit;
+  PoseScore score;
+};
+
+/// One direction of the search: all that stays the same while scenes and DBH models change.
+struct Search {
+  const IndexedList& a;
+  const IndexedList& b;
+  const ListSettings& settings;
+  VoteSettings vote;
+  std::vector<ScoredPose> best;  ///< distinct poses, best first
+  int refined = 0;
+};
+
+double distinct_m(const ScoredPose& pose) { return std::max(distinct_pose_m, 3.0 * pose.fit.noise_m); }
+
+/// Keeps `found` unless a better pose lies at the same place; throws out what is worse there.
+void keep_distinct(std::vector<ScoredPose>& best, const ScoredPose& found) {
+  for (const auto& other : best)
+    if (other.score.log_likelihood_ratio >= found.score.log_likelihood_ratio &&
+        distance_between_m(other.fit.b_from_a, found.fit.b_from_a, other.score) <= distinct_m(other))
+      return;
+  std::erase_if(best, [&](const ScoredPose& other) {
+    return other.score.log_likelihood_ratio < found.score.log_likelihood_ratio &&
+           distance_between_m(other.fit.b_from_a, found.fit.b_from_a, found.score) <= distinct_m(found);
+  });
+  const auto place = std::find_if(best.begin(), best.end(), [&](const ScoredPose& o) { return o.score.log_likelihood_ratio < found.score.log_likelihood_ratio; });
+  best.insert(place, found);
+  if (best.size() > poses_kept) best.pop_back();
+}
+
+ScoredPose fit_in_scene(const Search& s, const Scene& scene, const PlanarPose& pose, const DbhModel& model) {
+  PoseFit fit = refine_pose(s.a, scene.nodes, s.b, {pose, start_sigma_in_cells * s.vote.cell_m, model, 0.0}, s.settings.noise_floor_m);
+  fit.dbh = refit_dbh(s.a, scene.nodes, s.b, fit);
+  fit = refine_pose(s.a, scene.nodes, s.b, fit, s.settings.noise_floor_m);
+  return {fit, score_pose(s.a, s.b, fit, scene.whole_list ? nullptr : &scene)};
+}
+
+/// Votes, refines every peak in its scene, then the best of them on the whole list.
+void search_scene(Search& s, const Scene& scene, const DbhModel& model, const std::vector<PlanarPose>& proposals, const Progress& progress) {
+  std::vector<PlanarPose> starts = proposals;
+  for (const PosePeak& peak : vote_poses(s.a, scene, s.b, model, s.vote, progress)) starts.push_back(peak.b_from_a);
+  std::vector<ScoredPose> in_scene(starts.size());
+  parallel_for(starts.size(), s.vote.threads, [&](std::size_t k) {
+    progress.check();
+    in_scene[k] = fit_in_scene(s, scene, starts[k], model);
+  });
+  s.refined += static_cast<int>(starts.size());
+  std::vector<ScoredPose> distinct;
+  for (const auto& pose : in_scene)
+    if (pose.score.matched >= 2) keep_distinct(distinct, pose);
+  if (!scene.whole_list) {
+    distinct.resize(std::min(distinct.size(), poses_grown));
+    parallel_for(distinct.size(), s.vote.threads, [&](std::size_t k) {
+      progress.check();
+      distinct[k].fit = grow_pose(s.a, scene, s.b, distinct[k].fit, s.settings.noise_floor_m);
+      distinct[k].score = score_pose(s.a, s.b, distinct[k].fit, nullptr);
+    });
+  }
+  for (const auto& pose : distinct) keep_distinct(s.best, pose);
+}
+
+double best_of(const std::vector<ScoredPose>& best, std::size_t place) {
+  return place < best.size() ? std::max(0.0, best[place].score.log_likelihood_ratio) : 0.0;
+}
+
+/// ln N: translations of half a metre, yaws that move the rim by half a metre, times scenes and DBH models.
+double log_poses_tried(const IndexedList& b, const std::vector<Scene>& scenes, std::size_t bank, const std::optional<PoseWindow>& window) {
+  double radius_m = 0.0;
+  for (const Scene& scene : scenes) radius_m = std::max(radius_m, scene.radius_m);
+  radius_m = std::max(radius_m, 1.0);
+  const Eigen::Vector2d size = (b.high_m - b.low_m).array() + 2.0 * radius_m;
+  double shifts = size.x() * size.y() / 0.25, yaws = 2.0 * std::numbers::pi * radius_m / 0.5;
+  if (window) {
+    shifts = std::min(shifts, std::max(1.0, std::numbers::pi * window->radius_m * window->radius_m / 0.25));
+    yaws = std::min(yaws, std::max(1.0, 2.0 * window->yaw_radius_rad * radius_m / 0.5));
+  }
+  return std::log(shifts * yaws * static_cast<double>(scenes.size() * bank));
+}
+
+struct SearchPlan {
+  std::vector<Scene> scenes;
+  std::vector<DbhModel> bank;
+  double log_poses = 0.0;
+};
+
+/// Goes through scenes and models; stops early once a pose is overwhelming. Returns how many scenes were asked.
+std::size_t search_all(Search& s, const SearchPlan& plan, std::size_t scene_limit, bool may_stop, const std::vector<PlanarPose>& proposals, const Progress& progress,
+                       const std::string& text) {
+  const std::size_t count = std::min(scene_limit, plan.scenes.size());
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t m = 0; m < plan.bank.size(); ++m) {
+      progress.at(static_cast<double>(k * plan.bank.size() + m) / static_cast<double>(count * plan.bank.size()), text);
+      search_scene(s, plan.scenes[k], plan.bank[m], k == 0 ? proposals : std::vector<PlanarPose>{}, progress);
+      const double lead = best_of(s.best, 0) - best_of(s.best, 1);
+      if (may_stop && best_of(s.best, 0) - plan.log_poses >= overwhelming && lead >= 0.5 * best_of(s.best, 0)) return k + 1;
+    }
+  return count;
+}
+
+Scene mirrored_scene(Scene scene) {
+  scene.centre_m.x() = -scene.centre_m.x();
+  return scene;
+}
+
+/// The same search with the query in a mirror.
+double mirror_score(const IndexedList& a, const IndexedList& b, const SearchPlan& plan, std::size_t scenes, const ListSettings& settings, VoteSettings vote, const Progress& progress) {
+  const IndexedList decoy(mirrored(a.nodes));
+  SearchPlan mirrored_plan = plan;
+  for (Scene& scene : mirrored_plan.scenes) scene = mirrored_scene(scene);
+  vote.window.reset();  // where a rough pose is known, chance is still measured everywhere
+  Search search{decoy, b, settings, vote, {}, 0};
+  search_all(search, mirrored_plan, scenes, false, {}, progress, "searching poses of the mirror image");
+  return best_of(search.best, 0);
+}
+
+VoteSettings vote_settings(const IndexedList& a, const ListHints& hints, const ListSettings& settings, int threads) {
+  const bool small = a.size() <= static_cast<std::size_t>(settings.whole_list_stems);
+  return {small ? settings.cell_m : settings.coarse_cell_m, settings.peaks, threads, hints.rough_pose};
+}
+
+/// The pose that two or more pairs named by a person ask for, by least squares.
+PlanarPose pose_from_pairs(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& pairs) {
+  Eigen::Vector2d mean_a = Eigen::Vector2d::Zero(), mean_b = Eigen::Vector2d::Zero();
+  for (const auto& [pa, pb] : pairs) mean_a += pa / static_cast<double>(pairs.size()), mean_b += pb / static_cast<double>(pairs.size());
+  double dot = 0.0, cross = 0.0;
+  for (const auto& [pa, pb] : pairs) {
+    const Eigen::Vector2d u = pa - mean_a, v = pb - mean_b;
+    dot += u.dot(v), cross += u.x() * v.y() - u.y() * v.x();
+  }
+  PlanarPose pose{0.0, 0.0, std::atan2(cross, dot)};
+  const Eigen::Vector2d shift = mean_b - pose * mean_a;
+  pose.x_m = shift.x(), pose.y_m = shift.y();
+  return pose;
+}
+
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> places_of(const IndexedList& a, const IndexedList& b, const ListHints& hints) {
+  const auto node_with = [](const NodeList& nodes, std::size_t stem) -> std::optional<Eigen::Vector2d> {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (std::find(nodes.members[i].begin(), nodes.members[i].end(), stem) != nodes.members[i].end()) return nodes.at_m[i];
+    return std::nullopt;
+  };
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> result;
+  for (const auto& [stem_a, stem_b] : hints.same_tree) {
+    const auto pa = node_with(a.nodes, stem_a), pb = node_with(b.nodes, stem_b);
+    if (pa && pb) result.emplace_back(*pa, *pb);
+  }
+  return result;
+}
+
+/// Refines the pose that named pairs ask for, unless that would take them apart again.
+std::optional<ScoredPose> pose_by_hand(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings) {
+  const auto places = places_of(a, b, hints);
+  if (places.size() < 2) return std::nullopt;
+  Scene scene;
+  double spread_m = 0.0;
+  for (const auto& place : places) scene.centre_m += place.first / static_cast<double>(places.size());
+  for (const auto& place : places) spread_m = std::max(spread_m, (place.first - scene.centre_m).norm());
+  if (spread_m < 0.5) return std::nullopt;  // two stems at one spot give no heading
+  scene.radius_m = std::max(15.0, 1.5 * spread_m);
+  a.index.within(scene.centre_m, scene.radius_m, [&](std::size_t i, double) { scene.nodes.push_back(i); });
+  const PoseFit start{pose_from_pairs(places), 1.0, {false, 0.0, 1.0}, 0.0};
+  PoseFit fit = refine_pose(a, scene.nodes, b, start, settings.noise_floor_m);
+  fit.dbh = refit_dbh(a, scene.nodes, b, fit);
+  fit = grow_pose(a, scene, b, fit, settings.noise_floor_m);
+  const bool kept = std::all_of(places.begin(), places.end(), [&](const auto& place) { return (fit.b_from_a * place.first - place.second).norm() < 2.5; });
+  if (!kept) fit = start;
+  return ScoredPose{fit, score_pose(a, b, fit, nullptr)};
+}
+
+/// a comes first when it is the smaller list; equal lists in a fixed order, so that swapping them changes nothing.
+bool in_order(const IndexedList& a, const IndexedList& b) {
+  if (a.size() != b.size()) return a.size() < b.size();
+  const auto before = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
+  return !std::lexicographical_compare(b.nodes.at_m.begin(), b.nodes.at_m.end(), a.nodes.at_m.begin(), a.nodes.at_m.end(), before);
+}
+
+/// The window as seen from the other list.
+PoseWindow swapped(const PoseWindow& w) {
+  return {w.b_from_a.inverse(), w.b_from_a * w.about_m, w.radius_m, w.yaw_radius_rad};
+}
+
+ListHints swapped(const ListHints& hints) {
+  ListHints result;
+  if (hints.years) result.years = -*hints.years;
+  if (hints.rough_pose) result.rough_pose = swapped(*hints.rough_pose);
+  for (const auto& [a, b] : hints.same_tree) result.same_tree.emplace_back(b, a);
+  for (const auto& pose : hints.proposals) result.proposals.push_back(pose.inverse());
+  return result;
+}
+
+ListAlignment swapped(ListAlignment r) {
+  r.score.centre_m = r.b_from_a * r.score.centre_m;
+  r.b_from_a = r.b_from_a.inverse();
+  if (r.second_best) r.second_best = r.second_best->inverse();
+  r.dbh.growth_cm = -r.dbh.growth_cm;
+  std::swap(r.score.a_inside, r.score.b_inside);
+  std::swap(r.score.share_a, r.score.share_b);
+  return r;
+}
+
+/// From coordinates relative to both origins to the lists' own, and back.
+PlanarPose from_nodes(const PlanarPose& pose, const IndexedList& a, const IndexedList& b) {
+  return PlanarPose{b.nodes.origin_m.x(), b.nodes.origin_m.y(), 0.0} * pose * PlanarPose{-a.nodes.origin_m.x(), -a.nodes.origin_m.y(), 0.0};
+}
+PlanarPose to_nodes(const PlanarPose& pose, const IndexedList& a, const IndexedList& b) {
+  return PlanarPose{-b.nodes.origin_m.x(), -b.nodes.origin_m.y(), 0.0} * pose * PlanarPose{a.nodes.origin_m.x(), a.nodes.origin_m.y(), 0.0};
+}
+
+ListHints to_nodes(ListHints hints, const IndexedList& a, const IndexedList& b) {
+  if (hints.rough_pose) {
+    hints.rough_pose->b_from_a = to_nodes(hints.rough_pose->b_from_a, a, b);
+    hints.rough_pose->about_m -= a.nodes.origin_m;
+  }
+  for (auto& pose : hints.proposals) pose = to_nodes(pose, a, b);
+  return hints;
+}
+
+void fill_acceptance(ListAlignment& result, const Search& search, double mirror, double log_poses) {
+  Acceptance& acceptance = result.acceptance;
+  acceptance.log_likelihood_ratio = best_of(search.best, 0);
+  acceptance.second_best = best_of(search.best, 1);
+  acceptance.mirror = mirror;
+  acceptance.log_poses_tried = log_poses;
+  acceptance.margin = acceptance.log_likelihood_ratio - std::max(acceptance.second_best, mirror);
+  acceptance.probability = acceptance_probability(acceptance);
+  result.poses_refined = search.refined;
+  if (search.best.empty()) return;
+  result.b_from_a = search.best[0].fit.b_from_a;
+  result.noise_m = search.best[0].fit.noise_m;
+  result.dbh = search.best[0].fit.dbh;
+  result.score = search.best[0].score;
+  if (search.best.size() > 1) result.second_best = search.best[1].fit.b_from_a;
+}
+
+/// In node coordinates, the smaller list first.
+ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings, int threads, const Progress& progress) {
+  SearchPlan plan{query_scenes(a, settings), dbh_bank(hints.years, a.any_dbh && b.any_dbh), 0.0};
+  plan.log_poses = log_poses_tried(b, plan.scenes, plan.bank.size(), hints.rough_pose);
+  Search search{a, b, settings, vote_settings(a, hints, settings, threads), {}, 0};
+  ListAlignment result;
+  if (const auto by_hand = pose_by_hand(a, b, hints, settings)) {
+    search.best.push_back(*by_hand);
+    fill_acceptance(result, search, 0.0, 0.0);
+    result.status = AlignmentStatus::aligned;
+    return result;
+  }
+  const std::size_t scenes = search_all(search, plan, plan.scenes.size(), true, hints.proposals, progress.stage(0.0, 0.6), "searching poses");
+  const std::size_t mirror_scenes = std::max(scenes, mirror_scenes_at_least);
+  const double mirror = mirror_score(a, b, plan, mirror_scenes, settings, search.vote, progress.stage(0.6, 1.0));
+  fill_acceptance(result, search, mirror, plan.log_poses);
+  const Verdict verdict = accept_pose(result.acceptance, settings);
+  result.status = verdict.status;
+  result.reason = verdict.reason;
+  return result;
+}
+
+}  // namespace
+
+ListAlignment align_lists(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings, int threads, const Progress& progress) {
+  if (a.size() < 3 || b.size() < 3) {
+    ListAlignment refused;
+    refused.reason = "fewer than three stems with a place: nothing to compare";
+    return refused;
+  }
+  const ListHints in_nodes = to_nodes(hints, a, b);
+  ListAlignment result = in_order(a, b) ? align_ordered(a, b, in_nodes, settings, threads, progress)
+                                        : swapped(align_ordered(b, a, swapped(in_nodes), settings, threads, progress));
+  result.b_from_a = from_nodes(result.b_from_a, a, b);
+  if (result.second_best) result.second_best = from_nodes(*result.second_best, a, b);
+  result.score.centre_m += a.nodes.origin_m;
+  return result;
+}
+
+}  // namespace stemwise

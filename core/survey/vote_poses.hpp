@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/jobs/progress.hpp"
+#include "core/survey/query_scenes.hpp"
+
+namespace stemwise {
+
+/// A rough pose that a person gave, and how far off it may be. `b_from_a` in node coordinates.
+struct PoseWindow {
+  PlanarPose b_from_a;
+  Eigen::Vector2d about_m = Eigen::Vector2d::Zero();  ///< the point of a whose image is known to within radius_m
+  double radius_m = 10.0;
+  double yaw_radius_rad = 0.35;
+};
+
+/// A cell of the vote that stands out against chance.
+struct PosePeak {
+  PlanarPose b_from_a;
+  double surprise = 0.0;  ///< V ln(V/E) - V + E
+};
+
+struct VoteSettings {
+  double cell_m = 0.4;
+  int peaks = 60;
+  int threads = 0;
+  std::optional<PoseWindow> window;
+};
+
+/// Step 4 of stem-lists.md: every pair of stems whose diameters could be one stem's votes for the shift that joins them, at
+/// every yaw; cells are ranked by how far their votes exceed what other yaws put there. Best first. Throws Cancelled.
+std::vector<PosePeak> vote_poses(const IndexedList& a, const Scene& scene, const IndexedList& b, const DbhModel& model,
+                                 const VoteSettings& settings, const Progress& progress);
+
+}  // namespace stemwise
