@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/project/assign_trees.hpp"
+#include "core/project/commands.hpp"
+#include "core/project/commands/whole_state.hpp"
+
+namespace stemwise {
+namespace {
+
+std::string free_name(const ProjectState& state, const std::string& wanted) {
+  if (state.find(wanted) == nullptr) return wanted;
+  for (int n = 2;; ++n) {
+    const std::string name = wanted + "-" + std::to_string(n);
+    if (state.find(name) == nullptr) return name;
+  }
+}
+
+void forget_alignment(ProjectState& state) {
+  state.alignments.clear();
+  state.pairs.clear();
+  std::erase_if(state.matches, [](const auto& entry) { return entry.second.state == MatchState::automatic; });
+}
+
+/// Most trees, the first of equals.
+InventoryId default_reference(const ProjectState& state) {
+  const Inventory* best = nullptr;
+  for (const auto& inventory : state.inventories)
+    if (best == nullptr || inventory->stems.size() > best->stems.size()) best = inventory.get();
+  return best == nullptr ? InventoryId{} : best->id;
+}
+
+std::shared_ptr<const Inventory>& slot(ProjectState& state, InventoryId id) {
+  const auto found =
+      std::find_if(state.inventories.begin(), state.inventories.end(), [&](const auto& i) { return i->id == id; });
+  if (found == state.inventories.end()) throw std::logic_error("there is no such inventory");
+  return *found;
+}
+
+template <class Edit>
+CommandPtr edit_inventory(std::string label, InventoryId id, Edit edit) {
+  return whole_state(std::move(label), [id, edit](ProjectState& state) {
+    auto& place = slot(state, id);
+    auto copy = std::make_shared<Inventory>(*place);
+    edit(state, *copy);
+    place = std::move(copy);
+  });
+}
+
+}  // namespace
+
+CommandPtr add_inventory(Inventory inventory) {
+  std::string label = "Add inventory " + inventory.name;
+  const auto shared = std::make_shared<const Inventory>(std::move(inventory));
+  return whole_state(std::move(label), [shared](ProjectState& state) {
+    auto added = std::make_shared<Inventory>(*shared);
+    added->id = InventoryId{state.next_inventory++};
+    added->name = free_name(state, added->name);
+    state.inventories.push_back(std::move(added));
+    if (state.alignments.empty() && state.matches.empty()) state.reference = default_reference(state);
+    assign_trees(state);
+  });
+}
+
+CommandPtr remove_inventory(InventoryId id) {
+  return whole_state("Remove inventory", [id](ProjectState& state) {
+    slot(state, id);
+    std::erase_if(state.inventories, [&](const auto& i) { return i->id == id; });
+    std::erase_if(state.matches, [&](const auto& m) { return m.first.first.inventory == id || m.first.second.inventory == id; });
+    std::erase_if(state.pairs, [&](const PairReport& p) { return p.a == id || p.b == id; });
+    state.alignments.erase(id);
+    state.coverages.erase(id);
+    state.dbh_error_m.erase(id);
+    if (state.reference == id) {
+      forget_alignment(state);
+      state.reference = default_reference(state);
+    }
+    assign_trees(state);
+    state.next_tree = state.trees.empty() ? 1 : state.trees.rbegin()->first.value + 1;
+    state.next_inventory = 1;
+    for (const auto& inventory : state.inventories) state.next_inventory = std::max(state.next_inventory, inventory->id.value + 1);
+  });
+}
+
+CommandPtr rename_inventory(InventoryId id, std::string name) {
+  std::string label = "Rename inventory to " + name;
+  return edit_inventory(std::move(label), id, [name](const ProjectState& state, Inventory& inventory) {
+    if (inventory.name != name) inventory.name = free_name(state, name);
+  });
+}
+
+CommandPtr set_inventory_date(InventoryId id, std::optional<Date> date) {
+  std::string label = date ? "Set date to " + to_string(*date) : "Clear date";
+  return edit_inventory(std::move(label), id, [date](const ProjectState&, Inventory& inventory) { inventory.date = date; });
+}
+
+CommandPtr set_reference(InventoryId id) {
+  return whole_state("Set reference", [id](ProjectState& state) {
+    slot(state, id);
+    if (state.reference == id) return;
+    forget_alignment(state);
+    state.reference = id;
+    assign_trees(state);
+  });
+}
+
+}  // namespace stemwise

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "core/project/commands.hpp"
+#include "core/project/commands/match_editor.hpp"
+#include "core/survey/tables.hpp"
+
+namespace stemwise {
+namespace {
+
+/// A person's edit: `change` works through the editor, which remembers how to go back.
+class EditCommand final : public Command {
+ public:
+  using Change = std::function<void(MatchEditor&)>;
+  EditCommand(std::string label, Change change) : label_(std::move(label)), change_(std::move(change)) {}
+  void apply(ProjectState& state) override {
+    MatchEditor editor(state);
+    try {
+      change_(editor);
+    } catch (...) {
+      MatchEditor::restore(state, editor.take_before());
+      throw;
+    }
+    before_ = editor.take_before();
+  }
+  void revert(ProjectState& state) override { MatchEditor::restore(state, before_); }
+  std::string label() const override { return label_; }
+
+ private:
+  std::string label_;
+  Change change_;
+  MatchEditor::Before before_;
+};
+
+CommandPtr edit(std::string label, EditCommand::Change change) {
+  return std::make_unique<EditCommand>(std::move(label), std::move(change));
+}
+
+TreeId tree_with(const ProjectState& state, StemRef stem) {
+  const TreeId id = state.tree_of(stem);
+  if (!id) throw std::logic_error("the stem's inventory is not aligned, so it belongs to no tree yet");
+  return id;
+}
+
+std::string pair_label(const ProjectState& state, StemRef a, StemRef b) {
+  return stem_label(state, a) + " and " + stem_label(state, b);
+}
+
+std::string state_before(const ProjectState& state, StemRef a, StemRef b) {
+  const auto match = state.matches.find(ordered(a, b));
+  return match == state.matches.end() ? "no match" : to_string(match->second.state);
+}
+
+/// The stems of the tree from `b` on by date: what goes with `b` when it is not the same tree as the earlier `a`.
+std::vector<StemRef> side_of_later(const ProjectState& state, const TreeRecord& tree, StemRef a, StemRef b) {
+  const std::vector<InventoryId> order = state.by_date();
+  const auto rank = [&](StemRef stem) { return std::find(order.begin(), order.end(), stem.inventory) - order.begin(); };
+  const auto cut = std::max(rank(a), rank(b));
+  std::vector<StemRef> later;
+  for (const StemRef& stem : tree.stems)
+    if (rank(stem) >= cut) later.push_back(stem);
+  return later;
+}
+
+/// The stem of `inventory` in the tree, other than `keep`, leaves it.
+void make_room(MatchEditor& editor, TreeId tree, InventoryId inventory, StemRef keep, StemRef against) {
+  for (const StemRef& stem : std::vector<StemRef>(editor.state().trees.at(tree).stems))
+    if (stem.inventory == inventory && stem != keep) editor.split(tree, {stem}, {ordered(stem, against)});
+}
+
+void link(MatchEditor& editor, StemRef a, StemRef b) {
+  const ProjectState& state = editor.state();
+  if (a.inventory == b.inventory) throw std::logic_error("two stems of one inventory cannot be one stem");
+  const TreeId tree_a = tree_with(state, a), tree_b = tree_with(state, b);
+  if (tree_a != tree_b) {
+    make_room(editor, tree_a, b.inventory, b, a);
+    make_room(editor, tree_b, a.inventory, a, b);
+    for (const StemRef& stem : std::vector<StemRef>(state.trees.at(tree_b).stems))
+      if (stem != b) {
+        const auto& others = state.trees.at(tree_a).stems;
+        const auto clash = std::find_if(others.begin(), others.end(), [&](StemRef o) { return o.inventory == stem.inventory; });
+        if (clash != others.end()) editor.split(tree_b, {stem}, {ordered(stem, a)});
+      }
+    editor.merge(std::min(tree_a, tree_b), std::max(tree_a, tree_b));
+  }
+  editor.set_match_state(a, b, MatchState::linked);
+}
+
+}  // namespace
+
+CommandPtr accept_match(StemRef a, StemRef b, EditStamp stamp) {
+  return edit("Accept match", [=](MatchEditor& editor) {
+    if (tree_with(editor.state(), a) != tree_with(editor.state(), b)) throw std::logic_error("only a match can be accepted");
+    editor.log(stamp, "Accept " + pair_label(editor.state(), a, b), state_before(editor.state(), a, b), "accepted");
+    editor.set_match_state(a, b, MatchState::accepted);
+    editor.note_edit(editor.state().tree_of(a), stamp);
+  });
+}
+
+CommandPtr reject_match(StemRef a, StemRef b, EditStamp stamp) {
+  return edit("Reject match", [=](MatchEditor& editor) {
+    const ProjectState& state = editor.state();
+    const TreeId tree = tree_with(state, a);
+    editor.log(stamp, "Reject " + pair_label(state, a, b), state_before(state, a, b), "rejected");
+    if (tree == tree_with(state, b)) {
+      const TreeId other = editor.split(tree, side_of_later(state, state.trees.at(tree), a, b), {ordered(a, b)});
+      editor.note_edit(other, stamp);
+    } else {
+      editor.set_match_state(a, b, MatchState::rejected);
+    }
+    editor.note_edit(tree, stamp);
+  });
+}
+
+CommandPtr link_stems(StemRef a, StemRef b, EditStamp stamp) {
+  return edit("Link stems", [=](MatchEditor& editor) {
+    editor.log(stamp, "Link " + pair_label(editor.state(), a, b), state_before(editor.state(), a, b), "linked");
+    link(editor, a, b);
+    editor.note_edit(editor.state().tree_of(a), stamp);
+  });
+}
+
+CommandPtr unlink_stem(StemRef stem, EditStamp stamp) {
+  return edit("Unlink stem", [=](MatchEditor& editor) {
+    const ProjectState& state = editor.state();
+    const TreeId tree = tree_with(state, stem);
+    std::vector<StemPair> apart;
+    for (const StemRef& other : state.trees.at(tree).stems)
+      if (other != stem) apart.push_back(ordered(stem, other));
+    if (apart.empty()) throw std::logic_error("the stem is linked to nothing");
+    editor.log(stamp, "Unlink " + stem_label(state, stem), tree_label(tree), "a tree of its own");
+    const TreeId alone = editor.split(tree, {stem}, apart);
+    editor.note_edit(alone, stamp);
+    editor.note_edit(tree, stamp);
+  });
+}
+
+CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp) {
+  const std::string label = fate ? std::string("Mark as ") + fate_label(*fate) : "Clear fate";
+  return edit(label, [=](MatchEditor& editor) {
+    TreeRecord record = editor.state().trees.at(tree);
+    const std::string before = record.fate_by_hand ? fate_label(*record.fate_by_hand) : "automatic";
+    editor.log(stamp, "Fate of " + tree_label(tree), before, fate ? fate_label(*fate) : "automatic");
+    record.fate_by_hand = fate;
+    record.edited_by = stamp.author;
+    editor.set_tree(tree, std::move(record));
+  });
+}
+
+CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp) {
+  return edit("Note on " + tree_label(tree), [=](MatchEditor& editor) {
+    TreeRecord record = editor.state().trees.at(tree);
+    editor.log(stamp, "Note on " + tree_label(tree), record.note, note);
+    record.note = note;
+    record.edited_by = stamp.author;
+    editor.set_tree(tree, std::move(record));
+  });
+}
+
+}  // namespace stemwise
