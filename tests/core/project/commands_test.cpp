@@ -1,0 +1,160 @@
+#include "core/project/commands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+#include <stdexcept>
+
+#include "tests/core/project/small_project.hpp"
+
+namespace stemwise {
+namespace {
+
+using test::aligned_project;
+using test::stem_of;
+
+struct Case {
+  std::string name;
+  std::function<CommandPtr(const Project&)> make;
+};
+
+const EditStamp stamp{"Ada", "2026-11-22T10:00:00Z", "seen in the field"};
+
+std::vector<Case> every_command() {
+  return {
+      {"AddInventory", [](const Project&) { return add_inventory(test::grid_inventory("2023", date_from_civil(2024, 7, 1), 5, 0.0)); }},
+      {"RemoveInventory", [](const Project& p) { return remove_inventory(p.state().inventories[1]->id); }},
+      {"RemoveReference", [](const Project& p) { return remove_inventory(p.state().reference); }},
+      {"RenameInventory", [](const Project& p) { return rename_inventory(p.state().inventories[1]->id, "second"); }},
+      {"SetDate", [](const Project& p) { return set_inventory_date(p.state().inventories[1]->id, std::nullopt); }},
+      {"SetReference", [](const Project& p) { return set_reference(p.state().inventories[2]->id); }},
+      {"ApplyAlignment", [](const Project& p) { return apply_alignment(test::straight_alignment(p.state()), {}); }},
+      {"AcceptMatch", [](const Project& p) { return accept_match(stem_of(p, 0, 3), stem_of(p, 1, 3), stamp); }},
+      {"RejectMatch", [](const Project& p) { return reject_match(stem_of(p, 0, 3), stem_of(p, 1, 3), stamp); }},
+      {"RejectLastMatch", [](const Project& p) { return reject_match(stem_of(p, 1, 3), stem_of(p, 2, 3), stamp); }},
+      {"LinkAcrossTrees", [](const Project& p) { return link_stems(stem_of(p, 0, 3), stem_of(p, 1, 4), stamp); }},
+      {"LinkWithinTree", [](const Project& p) { return link_stems(stem_of(p, 0, 3), stem_of(p, 1, 3), stamp); }},
+      {"UnlinkMiddle", [](const Project& p) { return unlink_stem(stem_of(p, 1, 3), stamp); }},
+      {"SetFate", [](const Project& p) { return set_fate(p.state().tree_of(stem_of(p, 0, 3)), Fate::removed, stamp); }},
+      {"SetNote", [](const Project& p) { return set_tree_note(p.state().tree_of(stem_of(p, 0, 3)), "fork", stamp); }},
+      {"SetGeoreference", [](const Project&) { return set_georeference({GeoreferenceKind::anchor, {48.0, 9.0, 400.0}, 12.0, 0, 0.5, "anchor"}); }},
+      {"SetFusion", [](const Project&) { return set_fusion_policy(FusionPolicy::mean); }},
+      {"SetCoverage", [](const Project& p) { return set_coverage(p.state().reference, {{{{0, 0}, {9, 0}, {9, 9}}}, CoverageSource::drawn}); }},
+      {"SetDbhError", [](const Project& p) { return set_dbh_error(p.state().reference, 0.012); }},
+      {"SetSetting", [](const Project&) { return set_setting("seed", "3"); }},
+      {"SetTitle", [](const Project&) { return set_title("Stand 14"); }},
+      {"Group",
+       [](const Project& p) {
+         std::vector<CommandPtr> parts;
+         parts.push_back(unlink_stem(stem_of(p, 1, 3), stamp));
+         parts.push_back(link_stems(stem_of(p, 1, 3), stem_of(p, 0, 3), stamp));
+         return group("Relink", std::move(parts));
+       }},
+  };
+}
+
+class EveryCommand : public testing::TestWithParam<Case> {};
+
+TEST_P(EveryCommand, AppliedRevertedAndAppliedAgainIsAppliedAndRevertingRestoresEquality) {
+  const Project project = aligned_project();
+  ProjectState state = project.state();
+  const CommandPtr command = GetParam().make(project);
+  command->apply(state);
+  const ProjectState applied = state;
+  EXPECT_FALSE(command->label().empty());
+  command->revert(state);
+  EXPECT_EQ(state, project.state());
+  command->apply(state);
+  EXPECT_EQ(state, applied);
+}
+
+TEST_P(EveryCommand, LeavesEveryStemInExactlyOneTreeThatHoldsItOncePerInventory) {
+  const Project project = aligned_project();
+  ProjectState state = project.state();
+  GetParam().make(project)->apply(state);
+  std::size_t stems_in_trees = 0, stems_in_inventories = 0;
+  for (const auto& [id, tree] : state.trees) {
+    std::set<InventoryId> seen;
+    for (const StemRef& stem : tree.stems) {
+      EXPECT_TRUE(seen.insert(stem.inventory).second);
+      EXPECT_EQ(state.tree_of(stem), id);
+    }
+    EXPECT_FALSE(tree.stems.empty());
+    stems_in_trees += tree.stems.size();
+  }
+  for (const auto& inventory : state.inventories)
+    if (state.is_placed(inventory->id)) stems_in_inventories += inventory->stems.size();
+  EXPECT_EQ(stems_in_trees, stems_in_inventories);
+}
+
+INSTANTIATE_TEST_SUITE_P(Law, EveryCommand, testing::ValuesIn(every_command()), [](const auto& info) { return info.param.name; });
+
+TEST(GroupCommand, RollsBackWhenAPartThrows) {
+  Project project = aligned_project();
+  const ProjectState before = project.state();
+  std::vector<CommandPtr> parts;
+  parts.push_back(unlink_stem(stem_of(project, 1, 3), stamp));
+  parts.push_back(link_stems(stem_of(project, 0, 3), stem_of(project, 0, 4), stamp));  // two stems of one inventory
+  EXPECT_THROW(project.execute(group("Impossible", std::move(parts))), std::logic_error);
+  EXPECT_EQ(project.state(), before);
+}
+
+TEST(Project, UndoesAndRedoesEverythingAndKnowsWhenItIsSaved) {
+  Project project = aligned_project();
+  const ProjectState start = project.state();
+  project.mark_saved();
+  project.execute(unlink_stem(stem_of(project, 1, 3), stamp));
+  project.execute(set_title("x"));
+  const ProjectState end = project.state();
+  EXPECT_TRUE(project.is_dirty());
+  project.undo();
+  project.undo();
+  EXPECT_EQ(project.state(), start);
+  EXPECT_FALSE(project.is_dirty());
+  project.redo();
+  project.redo();
+  EXPECT_EQ(project.state(), end);
+  project.undo();
+  project.undo();
+  project.execute(set_title("another way"));  // the saved entry stays reachable: it is where we branched off
+  project.undo();
+  EXPECT_FALSE(project.is_dirty());
+}
+
+TEST(RejectMatch, SplitsTheTreeByDateAndKeepsTheLaterSightingsTogether) {
+  Project project = aligned_project();
+  project.execute(reject_match(stem_of(project, 0, 3), stem_of(project, 1, 3), stamp));
+  const ProjectState& state = project.state();
+  EXPECT_NE(state.tree_of(stem_of(project, 0, 3)), state.tree_of(stem_of(project, 1, 3)));
+  EXPECT_EQ(state.tree_of(stem_of(project, 1, 3)), state.tree_of(stem_of(project, 2, 3)));
+}
+
+TEST(ApplyAlignment, KeepsTreeIdsAndWhatAPersonDecided) {
+  Project project = aligned_project();
+  const TreeId untouched = project.state().tree_of(stem_of(project, 0, 7));
+  project.execute(reject_match(stem_of(project, 0, 3), stem_of(project, 1, 3), stamp));
+  project.execute(link_stems(stem_of(project, 0, 5), stem_of(project, 1, 6), stamp));
+  project.execute(apply_alignment(test::straight_alignment(project.state()), {}));
+  const ProjectState& state = project.state();
+  EXPECT_EQ(state.tree_of(stem_of(project, 0, 7)), untouched);
+  EXPECT_NE(state.tree_of(stem_of(project, 0, 3)), state.tree_of(stem_of(project, 1, 3)));
+  EXPECT_EQ(state.tree_of(stem_of(project, 0, 5)), state.tree_of(stem_of(project, 1, 6)));
+}
+
+TEST(ApplyAlignment, KeepsTheIdsOfExistingTreesWhenASurveyIsAddedAndRemovedAgain) {
+  Project project = aligned_project();
+  const ProjectState before = project.state();
+  project.execute(add_inventory(test::grid_inventory("2028", date_from_civil(2028, 7, 1), 20, 0.04)));
+  project.execute(apply_alignment(test::straight_alignment(project.state()), {}));
+  for (const auto& [id, tree] : before.trees) {
+    const TreeRecord& now = project.state().trees.at(id);
+    EXPECT_EQ(now.stems.size(), tree.stems.size() + 1);
+  }
+  project.execute(remove_inventory(project.state().inventories.back()->id));
+  EXPECT_EQ(project.state().trees, before.trees);
+  EXPECT_EQ(project.state().next_tree, before.next_tree);
+}
+
+}  // namespace
+}  // namespace stemwise

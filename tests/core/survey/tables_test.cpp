@@ -1,0 +1,108 @@
+#include "core/survey/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/survey/decide_fate.hpp"
+#include "core/base/random.hpp"
+#include "core/survey/growth.hpp"
+#include "tests/core/project/small_project.hpp"
+
+namespace stemwise {
+namespace {
+
+using test::aligned_project;
+using test::stem_of;
+
+TEST(DeriveTables, GivesOneMatchRowPerTreeAndPairOfConsecutiveSightings) {
+  const Tables tables = derive_tables(aligned_project().state());
+  EXPECT_EQ(tables.trees.size(), 20u);
+  EXPECT_EQ(tables.matches.size(), 40u);
+  EXPECT_EQ(tables.observations.size(), 60u);
+  EXPECT_NEAR(*tables.matches.front().change_m, 0.01, 1e-12);
+  EXPECT_NEAR(*tables.matches.front().years, 5.0, 0.01);
+  ASSERT_EQ(tables.growth.size(), 2u);
+  EXPECT_EQ(tables.growth[1].n, 20);
+  EXPECT_NEAR(tables.growth[1].median_change_m, 0.015, 1e-12);
+}
+
+TEST(DeriveTables, MergesByTheSmallestDbhUnlessAnotherPolicyIsChosen) {
+  Project project = aligned_project();
+  EXPECT_NEAR(*derive_tables(project.state()).trees.front().dbh_m, 0.30, 1e-12);
+  project.execute(set_fusion_policy(FusionPolicy::newest));
+  const Tables newest = derive_tables(project.state());
+  EXPECT_NEAR(*newest.trees.front().dbh_m, 0.325, 1e-12);
+  EXPECT_EQ(newest.trees.front().dbh_source, project.state().inventories[2]->id);
+  project.execute(set_fusion_policy(FusionPolicy::mean));
+  EXPECT_NEAR(*derive_tables(project.state()).trees.front().dbh_m, (0.30 + 0.31 + 0.325) / 3.0, 1e-12);
+}
+
+TEST(DeriveTables, ShowsARejectedPairAsARowOfItsOwn) {
+  Project project = aligned_project();
+  project.execute(unlink_stem(stem_of(project, 2, 4), {}));
+  const Tables tables = derive_tables(project.state());
+  EXPECT_EQ(tables.trees.size(), 21u);
+  int rejected = 0;
+  for (const MatchRow& row : tables.matches) rejected += row.state == MatchState::rejected;
+  EXPECT_GE(rejected, 1);
+}
+
+TEST(DeriveTables, CallsAnApproximateDbhNoDbh) {
+  Project project;
+  Inventory inventory = test::grid_inventory("a", date_from_civil(2013, 7, 1), 3, 0.0);
+  inventory.stems[0].dbh_m.reset();
+  inventory.stems[0].dbh_approximation_m = 0.4;
+  project.execute(add_inventory(inventory));
+  const Tables tables = derive_tables(project.state());
+  EXPECT_FALSE(tables.trees[0].dbh_m);
+  EXPECT_EQ(tables.observations[0].flags, std::vector<std::string>{"dbh_approximate"});
+}
+
+SurveyFootprint square_footprint(double side_m) {
+  SurveyFootprint footprint;
+  footprint.coverage_in_reference.corners_m = {{0, 0}, {side_m, 0}, {side_m, side_m}, {0, side_m}};
+  footprint.position_noise_m = 0.1;
+  footprint.smallest_dbh_m = 0.10;
+  return footprint;
+}
+
+TEST(DecideFate, NeverCallsATreeOutsideCoverageMissingOrDead) {
+  const SurveyFootprint from = square_footprint(100), to = square_footprint(50);
+  const SurveyStep step{&from, &to, 0.03};
+  TreeAtStep tree{{80.0, 80.0}, true};
+  EXPECT_EQ(decide_fate(step, tree), Fate::outside_coverage);
+  tree.position_in_reference_m = {25.0, 25.0};
+  EXPECT_EQ(decide_fate(step, tree), Fate::missing);
+  tree.position_in_reference_m = {49.5, 25.0};
+  EXPECT_EQ(decide_fate(step, tree), Fate::unresolved);
+  tree.by_hand = Fate::dead;
+  EXPECT_EQ(decide_fate(step, tree), Fate::dead);
+}
+
+TEST(DecideFate, TellsIngrowthFromATreeThatWasMissedBySize) {
+  const SurveyFootprint from = square_footprint(100), to = square_footprint(100);
+  const SurveyStep step{&from, &to, 0.03};
+  TreeAtStep tree{{50.0, 50.0}, false, true};
+  tree.dbh_in_to_m = 0.12;
+  EXPECT_EQ(decide_fate(step, tree), Fate::ingrowth);
+  tree.dbh_in_to_m = 0.40;
+  EXPECT_EQ(decide_fate(step, tree), Fate::missed_earlier);
+  tree.seen_earlier = true;
+  EXPECT_EQ(decide_fate(step, tree), Fate::survivor);
+}
+
+TEST(Growth, RecoversTheMeasurementErrorFromTheChangesOfTreesThatBarelyGrow) {
+  Random random(4);
+  std::vector<double> changes;
+  for (int i = 0; i < 4000; ++i) changes.push_back(random.normal(0.01, 0.011 * std::sqrt(2.0)));
+  EXPECT_NEAR(dbh_error_from_changes_m(changes), 0.011, 0.001);
+}
+
+TEST(Growth, CallsAChangeWithinTwoStandardErrorsWithinError) {
+  EXPECT_EQ(classify_change(0.02, 0.01, 0.01), ChangeClass::within_error);
+  EXPECT_EQ(classify_change(0.03, 0.01, 0.01), ChangeClass::grew);
+  EXPECT_EQ(classify_change(-0.03, 0.01, 0.01), ChangeClass::shrank);
+  EXPECT_EQ(classify_change(std::nullopt, 0.01, 0.01), ChangeClass::unknown);
+}
+
+}  // namespace
+}  // namespace stemwise
