@@ -88,7 +88,7 @@ TEST_P(EveryCommand, LeavesEveryStemInExactlyOneTreeThatHoldsItOncePerInventory)
   EXPECT_EQ(stems_in_trees, stems_in_inventories);
 }
 
-INSTANTIATE_TEST_SUITE_P(Law, EveryCommand, testing::ValuesIn(every_command()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Law, EveryCommand, testing::ValuesIn(every_command()), [](const auto& param) { return param.param.name; });
 
 TEST(GroupCommand, RollsBackWhenAPartThrows) {
   Project project = aligned_project();
