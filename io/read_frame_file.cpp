@@ -14,7 +14,20 @@ namespace stemwise {
 namespace {
 
 /// The columns we use, by place in a row's numbers.
-enum Column : std::size_t { axis_x, axis_y, axis_z, location_x, location_y, location_z, dbh, dbh_approximation, score, reconstructed, clusters, column_count };
+enum Column : std::size_t {
+  axis_x,
+  axis_y,
+  axis_z,
+  location_x,
+  location_y,
+  location_z,
+  dbh,
+  dbh_approximation,
+  score,
+  reconstructed,
+  clusters,
+  column_count
+};
 struct ColumnName {
   std::string_view name;
   Column column;
@@ -65,7 +78,8 @@ Header read_header(std::string_view line) {
   while (true) {
     const std::size_t end = std::min(line.find(header.delimiter), line.size());
     const std::string name = lower_trimmed(line.substr(0, end));
-    const auto known = std::find_if(known_columns.begin(), known_columns.end(), [&](const ColumnName& c) { return c.name == name; });
+    const auto known =
+        std::find_if(known_columns.begin(), known_columns.end(), [&](const ColumnName& c) { return c.name == name; });
     const bool used = known != known_columns.end() && !header.present[known->column];
     if (used) header.present[known->column] = true;
     header.column_of_field.push_back(used ? static_cast<std::size_t>(known->column) : not_used);
@@ -108,7 +122,8 @@ bool read_fields(std::string_view line, const Header& header, const Issue& place
       auto number = parse_decimal(text);
       if (!number && column == reconstructed) number = read_flag(text);
       if (!number && !trimmed(text).empty()) {
-        issues.push_back(bad_value(place, header.names[field], trimmed(text), column == reconstructed ? "true or false" : "a finite number"));
+        issues.push_back(
+            bad_value(place, header.names[field], trimmed(text), column == reconstructed ? "true or false" : "a finite number"));
         return false;
       }
       row.given[column] = number.has_value();
@@ -119,7 +134,8 @@ bool read_fields(std::string_view line, const Header& header, const Issue& place
   }
   if (field + 1 >= header.column_of_field.size()) return true;
   Issue issue = place;
-  issue.text = std::to_string(field + 1) + " fields instead of " + std::to_string(header.column_of_field.size()) + ": the row is left out";
+  issue.text =
+      std::to_string(field + 1) + " fields instead of " + std::to_string(header.column_of_field.size()) + ": the row is left out";
   issues.push_back(std::move(issue));
   return false;
 }
@@ -135,7 +151,8 @@ std::optional<Issue> check_row(const Row& row, const Header& header, const Issue
     return bad_value(place, c == dbh ? "dbh" : "dbh_approximation", std::to_string(d), "a diameter in metres (0 to 20)");
   }
   if (!header.has_axis() || !(row.given[axis_x] && row.given[axis_y] && row.given[axis_z])) return std::nullopt;
-  const double length = std::sqrt(row.value[axis_x] * row.value[axis_x] + row.value[axis_y] * row.value[axis_y] + row.value[axis_z] * row.value[axis_z]);
+  const double length = std::sqrt(row.value[axis_x] * row.value[axis_x] + row.value[axis_y] * row.value[axis_y] +
+                                  row.value[axis_z] * row.value[axis_z]);
   if (std::abs(length - 1.0) <= 0.05) return std::nullopt;
   Issue issue = place;
   issue.column = "axis_02 axis_12 axis_22";
@@ -165,9 +182,16 @@ Stem stem_from(const Row& row, const Header& header, std::int64_t line_number) {
 
 std::optional<Issue> missing_column(const Header& header, const std::string& path) {
   const bool has_dbh = header.present[dbh] || header.present[dbh_approximation];
-  const char* missing = !header.present[location_x] ? "location_x" : !header.present[location_y] ? "location_y" : !has_dbh ? "dbh" : nullptr;
+  const char* missing = !header.present[location_x]   ? "location_x"
+                        : !header.present[location_y] ? "location_y"
+                        : !has_dbh                    ? "dbh"
+                                                      : nullptr;
   if (missing == nullptr) return std::nullopt;
-  return Issue{Severity::error, path, 1, missing, std::string("there is no column ") + missing,
+  return Issue{Severity::error,
+               path,
+               1,
+               missing,
+               std::string("there is no column ") + missing,
                "expected a header with location_x, location_y and dbh or dbh_approximation"};
 }
 

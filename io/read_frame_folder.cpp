@@ -23,7 +23,8 @@ struct FrameFile {
 std::optional<std::int64_t> frame_number(std::string_view file_name) {
   constexpr std::string_view before = "TreeManagerState_";
   constexpr std::string_view after = ".csv";
-  if (file_name.size() <= before.size() + after.size() || !file_name.starts_with(before) || !file_name.ends_with(after)) return std::nullopt;
+  if (file_name.size() <= before.size() + after.size() || !file_name.starts_with(before) || !file_name.ends_with(after))
+    return std::nullopt;
   file_name.remove_prefix(before.size());
   file_name.remove_suffix(after.size());
   std::int64_t number = 0;
@@ -39,14 +40,16 @@ std::vector<FrameFile> list_frame_files(const std::string& folder) {
     const std::string name = entry->path().filename().string();
     if (const auto number = frame_number(name)) files.push_back({*number, entry->path().string()});
   }
-  std::sort(files.begin(), files.end(), [](const FrameFile& a, const FrameFile& b) { return std::tie(a.number, a.path) < std::tie(b.number, b.path); });
+  std::sort(files.begin(), files.end(),
+            [](const FrameFile& a, const FrameFile& b) { return std::tie(a.number, a.path) < std::tie(b.number, b.path); });
   return files;
 }
 
 Issue warn(const std::string& file, std::string text) { return {Severity::warning, file, 0, "", std::move(text), ""}; }
 
 /// Files that have a pose, in order; the others are named.
-std::vector<FrameFile> files_with_pose(std::vector<FrameFile> files, const std::vector<std::optional<TrajectoryPose>>& poses, Issues& issues) {
+std::vector<FrameFile> files_with_pose(std::vector<FrameFile> files, const std::vector<std::optional<TrajectoryPose>>& poses,
+                                       Issues& issues) {
   std::vector<FrameFile> kept;
   for (FrameFile& file : files) {
     const auto row = static_cast<std::size_t>(file.number);
@@ -54,7 +57,8 @@ std::vector<FrameFile> files_with_pose(std::vector<FrameFile> files, const std::
       issues.push_back(warn(file.path, "the trajectory has " + std::to_string(poses.size()) + " poses and none for frame " +
                                            std::to_string(file.number) + ": the frame is left out"));
     } else if (!poses[row]) {
-      issues.push_back(warn(file.path, "the trajectory's line for frame " + std::to_string(file.number) + " is bad: the frame is left out"));
+      issues.push_back(
+          warn(file.path, "the trajectory's line for frame " + std::to_string(file.number) + " is bad: the frame is left out"));
     } else if (!kept.empty() && kept.back().number == file.number) {
       issues.push_back(warn(file.path, "a second file for frame " + std::to_string(file.number) + " is left out"));
     } else {
@@ -64,7 +68,8 @@ std::vector<FrameFile> files_with_pose(std::vector<FrameFile> files, const std::
   return kept;
 }
 
-void name_poses_without_file(const std::string& folder, const std::vector<FrameFile>& files, std::size_t pose_count, Issues& issues) {
+void name_poses_without_file(const std::string& folder, const std::vector<FrameFile>& files, std::size_t pose_count,
+                             Issues& issues) {
   std::vector<char> has_file(pose_count, 0);
   for (const FrameFile& file : files) {
     if (static_cast<std::size_t>(file.number) < pose_count) has_file[static_cast<std::size_t>(file.number)] = 1;
@@ -78,7 +83,8 @@ void name_poses_without_file(const std::string& folder, const std::vector<FrameF
     count += n - from + 1;
     missing += (missing.empty() ? "" : ", ") + std::to_string(from) + (n > from ? "-" + std::to_string(n) : "");
   }
-  if (count > 0) issues.push_back(warn(folder, std::to_string(count) + " poses of the trajectory have no frame file: " + missing));
+  if (count > 0)
+    issues.push_back(warn(folder, std::to_string(count) + " poses of the trajectory have no frame file: " + missing));
 }
 
 /// The median time stamp's day where all are plausible Unix times (data-formats.md): those of some data sets are not.
@@ -109,8 +115,9 @@ Inventory inventory_from(const std::string& folder, FrameSet set) {
   }
   inventory.source.path = folder;
   inventory.source.format = "frame folder";
-  inventory.source.notes = {std::to_string(set.frames.size()) + " frames, " + std::to_string(stems) + " stems seen", "positions: m, in each frame",
-                            "dbh: m, measured for " + std::to_string(measured) + " of them", "axis: for " + std::to_string(with_axis) + " of them",
+  inventory.source.notes = {std::to_string(set.frames.size()) + " frames, " + std::to_string(stems) + " stems seen",
+                            "positions: m, in each frame", "dbh: m, measured for " + std::to_string(measured) + " of them",
+                            "axis: for " + std::to_string(with_axis) + " of them",
                             inventory.date ? "date: median time stamp of the trajectory" : "date: the time stamps are none"};
   if (!inventory.date) inventory.date = parse_date(inventory.name);
   inventory.frames = std::make_shared<const FrameSet>(std::move(set));
@@ -118,7 +125,8 @@ Inventory inventory_from(const std::string& folder, FrameSet set) {
 }
 
 /// Frames of the files, read in parallel; unreadable ones are left out and named.
-FrameSet read_frames(const std::vector<FrameFile>& files, const std::vector<std::optional<TrajectoryPose>>& poses, int threads, Issues& issues) {
+FrameSet read_frames(const std::vector<FrameFile>& files, const std::vector<std::optional<TrajectoryPose>>& poses, int threads,
+                     Issues& issues) {
   std::vector<Result<std::vector<Stem>>> read(files.size());
   parallel_for(files.size(), threads, [&](std::size_t i) { read[i] = read_frame_file(files[i].path); });
   FrameSet set;
@@ -151,7 +159,8 @@ bool is_frame_folder(const std::string& folder) {
 Result<Inventory> read_frame_folder(const std::string& folder, int threads) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    return Result<Inventory>::failure({Severity::error, folder, 0, "", "there is no such folder", "expected trajectory.txt and TreeManagerState_<n>.csv"});
+    return Result<Inventory>::failure(
+        {Severity::error, folder, 0, "", "there is no such folder", "expected trajectory.txt and TreeManagerState_<n>.csv"});
   }
   auto files = list_frame_files(folder);
   auto trajectory = read_trajectory((fs::path(folder) / "trajectory.txt").string());

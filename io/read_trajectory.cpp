@@ -1,10 +1,11 @@
 #include "io/read_trajectory.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
+
+#include <Eigen/Geometry>
 
 #include "io/parse_decimal.hpp"
 #include "io/read_whole_file.hpp"
@@ -68,7 +69,8 @@ std::optional<TrajectoryPose> read_line(std::string_view line, Issue place, Issu
 Result<std::vector<std::optional<TrajectoryPose>>> read_trajectory(const std::string& path) {
   using Poses = std::vector<std::optional<TrajectoryPose>>;
   const auto bytes = read_whole_file(path);
-  if (!bytes) return Result<Poses>::failure({Severity::error, path, 0, "", "the trajectory is missing or cannot be read", expected_line});
+  if (!bytes)
+    return Result<Poses>::failure({Severity::error, path, 0, "", "the trajectory is missing or cannot be read", expected_line});
   Issues issues;
   Poses poses;
   std::string_view rest = bytes->text();

@@ -1,13 +1,12 @@
 #include "io/read_frame_folder.hpp"
 
-#include <gtest/gtest.h>
-
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "io/parse_decimal.hpp"
 
@@ -17,15 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* header =
-    "axis_00,axis_01,axis_02,axis_10,axis_11,axis_12,axis_20,axis_21,axis_22,location_x,location_y,location_z,dbh,dbh_approximation,score,"
+    "axis_00,axis_01,axis_02,axis_10,axis_11,axis_12,axis_20,axis_21,axis_22,location_x,location_y,location_z,dbh,dbh_"
+    "approximation,score,"
     "reconstructed,number_clusters\n";
 constexpr const char* good_row = "1,0,0,0,1,0,0,0,1,2.5,-3.25,0.5,0.31,0.3,0.9,True,4\n";
 constexpr const char* pose_line = "10.0 1 2 3 0 0 0 1\n";
 
 class ReadFrameFolder : public ::testing::Test {
- protected:
+protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("stemwise_frames_" + std::to_string(::getpid()) + "_" + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::temp_directory_path() / ("stemwise_frames_" + std::to_string(::getpid()) + "_" +
+                                           ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -79,7 +80,8 @@ TEST_F(ReadFrameFolder, NamesEveryBadRowAndKeepsTheGoodOnes) {
   write("trajectory.txt", pose_line);
   write("TreeManagerState_0.csv", std::string(header) + good_row + "1,0,0,0,1,0,0,0,1,2.5,oak,0.5,0.31,0.3,0.9,True,4\n" +
                                       "1,0,0,0,1,0,0,0,1,2.5,1,nan,0.31,0.3,0.9,True,4\n" + "1,0,0,0,1,0,0,0\n" +
-                                      "1,0,0,0,1,0,0,0,1,2.5,1,0,-0.31,0.3,0.9,True,4\n" + "1,0,0,0,1,0,0,0,3,2.5,1,0,0.31,0.3,0.9,True,4\n" +
+                                      "1,0,0,0,1,0,0,0,1,2.5,1,0,-0.31,0.3,0.9,True,4\n" +
+                                      "1,0,0,0,1,0,0,0,3,2.5,1,0,0.31,0.3,0.9,True,4\n" +
                                       "1,0,0,0,1,0,0,0,1,,1,0,0.31,0.3,0.9,perhaps,4\n" + good_row);
   const auto read = read_frame_folder(path());
   ASSERT_TRUE(read);
@@ -111,7 +113,8 @@ TEST_F(ReadFrameFolder, RefusesAFolderWithoutFramesAndOneThatIsNone) {
 
 TEST_F(ReadFrameFolder, ReadsWhatFitsWhenTheTrajectoryIsShorterThanTheFrames) {
   write("trajectory.txt", pose_line);
-  for (const char* name : {"TreeManagerState_0.csv", "TreeManagerState_1.csv", "TreeManagerState_2.csv"}) write(name, std::string(header) + good_row);
+  for (const char* name : {"TreeManagerState_0.csv", "TreeManagerState_1.csv", "TreeManagerState_2.csv"})
+    write(name, std::string(header) + good_row);
   const auto read = read_frame_folder(path());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->frames->frames.size(), 1U);
@@ -121,7 +124,8 @@ TEST_F(ReadFrameFolder, ReadsWhatFitsWhenTheTrajectoryIsShorterThanTheFrames) {
 
 TEST_F(ReadFrameFolder, ABadTrajectoryLineCostsOnlyItsOwnFrame) {
   write("trajectory.txt", std::string(pose_line) + "11.0 1 2 x 0 0 0 1\n" + pose_line);
-  for (const char* name : {"TreeManagerState_0.csv", "TreeManagerState_1.csv", "TreeManagerState_2.csv"}) write(name, std::string(header) + good_row);
+  for (const char* name : {"TreeManagerState_0.csv", "TreeManagerState_1.csv", "TreeManagerState_2.csv"})
+    write(name, std::string(header) + good_row);
   const auto read = read_frame_folder(path());
   ASSERT_TRUE(read);
   ASSERT_EQ(read->frames->frames.size(), 2U);
@@ -140,7 +144,8 @@ TEST_F(ReadFrameFolder, NamesTruncatedAndEmptyFrameFiles) {
   EXPECT_EQ(read->frames->frames[0].stems.size(), 1U);
   EXPECT_TRUE(names(read.issues, "TreeManagerState_0.csv", 3, ""));
   EXPECT_TRUE(names(read.issues, "TreeManagerState_1.csv", 1, "location_x"));
-  EXPECT_TRUE(std::any_of(read.issues.begin(), read.issues.end(), [](const Issue& i) { return i.text.find("no frame file: 2") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(read.issues.begin(), read.issues.end(),
+                          [](const Issue& i) { return i.text.find("no frame file: 2") != std::string::npos; }));
 }
 
 TEST_F(ReadFrameFolder, TakesADateOnlyFromPlausibleTimeStamps) {
@@ -152,11 +157,13 @@ TEST_F(ReadFrameFolder, TakesADateOnlyFromPlausibleTimeStamps) {
 }
 
 TEST(ParseDecimal, AgreesWithStrtodAndRefusesWhatIsNoNumber) {
-  for (const char* text : {"0", "-0.5", "1697617761.634079000", "0.1", "+3.25", " 7 ", "1e-3", "123456789012345678901234", "0.30000000000000004", "-12.000001", ".5", "5."}) {
+  for (const char* text : {"0", "-0.5", "1697617761.634079000", "0.1", "+3.25", " 7 ", "1e-3", "123456789012345678901234",
+                           "0.30000000000000004", "-12.000001", ".5", "5."}) {
     ASSERT_TRUE(parse_decimal(text)) << text;
     EXPECT_EQ(*parse_decimal(text), std::strtod(text, nullptr)) << text;
   }
-  for (const char* text : {"", " ", "-", ".", "nan", "inf", "1,5", "1.2.3", "0x10", "1 2", "--1", "+-1", "1e", "1e999"}) EXPECT_FALSE(parse_decimal(text)) << text;
+  for (const char* text : {"", " ", "-", ".", "nan", "inf", "1,5", "1.2.3", "0x10", "1 2", "--1", "+-1", "1e", "1e999"})
+    EXPECT_FALSE(parse_decimal(text)) << text;
 }
 
 TEST(ReadRealFrames, ReadsAWholeSequenceWithoutAComplaint) {

@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "core/treeloc/evaluate.hpp"
+
+namespace stemwise::treeloc {
+
+/// Fits the one SE(3) that best explains the estimates as "the truth, seen in the other session's frame" (method.md,
+/// section 10: the sessions' truths are about 0.45 m off each other), robustly, and recomputes the rows' errors against the
+/// truth so moved. Gives that transform, map from query survey.
+RigidTransform align_truths(std::vector<QueryRow>& rows);
+
+}  // namespace stemwise::treeloc

@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/treeloc/localizer.hpp"
+
+namespace stemwise::treeloc {
+
+/// The paper's protocol (method.md, section 10).
+struct EvaluateSettings {
+  int excluded_preceding = 50;  ///< intra: candidates of frame i are the frames 0 to i - 51
+  double positive_m = 5.0;
+  double pose_limit_m = 0.5;
+  double pose_limit_deg = 5.0;
+  int thresholds = 1000;
+  Fields fields(const std::string& prefix);
+};
+
+/// A pose against the truth: differences of x, y, z (m), roll, pitch, yaw (degrees) of candidate-from-query.
+struct PoseError {
+  std::array<double, 3> position_m{};
+  std::array<double, 3> angle_deg{};
+  double planar_m() const;
+  double spatial_m() const;
+  double rotation_deg() const;  ///< norm of the three angles
+};
+PoseError pose_error(const RigidTransform& estimate, const RigidTransform& truth);
+
+/// One query that has at least one positive.
+struct QueryRow {
+  std::int64_t query = 0;
+  std::int64_t candidate = -1;  ///< frame number; -1: nothing was found
+  bool positive = false;
+  double score = 0.0;
+  int pairs = 0;
+  int votes = 0;
+  double candidate_distance_m = 0.0;  ///< true planar distance of the candidate
+  double runner_up_score = 0.0;
+  PoseError error;
+  RigidTransform candidate_from_query;
+  RigidTransform survey_from_query;  ///< estimate, in the database's frame
+  RigidTransform true_survey_from_query;
+  bool found() const { return candidate >= 0; }
+};
+
+struct PoseMetrics {
+  double r50 = 0.0, sr = 0.0, ate_m = 0.0, are_deg = 0.0;
+};
+
+struct RetrievalMetrics {
+  double recall_at_1 = 0.0, mr = 0.0, mf1 = 0.0, auc = 0.0;
+};
+
+struct EvaluationTiming {
+  double describe_ms_per_scene = 0.0, retrieve_ms_per_query = 0.0, verify_ms_per_query = 0.0, query_ms_mean = 0.0,
+         query_ms_p99 = 0.0;
+  double index_s = 0.0;
+};
+
+struct Evaluation {
+  std::vector<QueryRow> rows;
+  std::size_t map_scenes = 0;
+  RetrievalMetrics retrieval;
+  PoseMetrics pose_2d, pose_3d;
+  std::optional<PoseMetrics> pose_3d_truth_aligned;  ///< inter: after one SE(3) was fitted between the truths
+  EvaluationTiming timing;
+  /// Queries without anything within 30 m: the highest score of any is what a threshold must exceed.
+  double highest_score_without_truth = 0.0;
+};
+
+using Polygon2 = std::vector<Eigen::Vector2d>;
+
+/// Query and database are the frames of one survey in driving order.
+Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads);
+/// Only query frames inside one of `regions` count (all when there are none).
+Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon2> regions,
+                          const Settings& settings, const EvaluateSettings& protocol, int threads);
+
+RetrievalMetrics retrieval_metrics(std::span<const QueryRow> rows, int thresholds);
+
+}  // namespace stemwise::treeloc

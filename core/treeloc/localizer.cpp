@@ -1,0 +1,26 @@
+#include "core/treeloc/localizer.hpp"
+
+#include <algorithm>
+
+#include "core/base/parallel.hpp"
+#include "core/treeloc/stemwise_localizer.hpp"
+
+namespace stemwise::treeloc {
+
+std::unique_ptr<Localizer> make_localizer(const Settings& settings) { return make_stemwise_localizer(settings); }
+
+std::vector<Localization> localize_all(const Localizer& localizer, std::span<const Scene> queries,
+                                       std::span<const std::uint32_t> scene_limits, int threads) {
+  constexpr std::size_t per_block = 32;  // one worker per block: its buffers are made once for many queries
+  std::vector<Localization> found(queries.size());
+  parallel_for((queries.size() + per_block - 1) / per_block, threads, [&](std::size_t block) {
+    const auto worker = localizer.worker();
+    const std::size_t end = std::min(queries.size(), (block + 1) * per_block);
+    for (std::size_t q = block * per_block; q < end; ++q) {
+      found[q] = worker->localize(queries[q], scene_limits.empty() ? QueryWorker::all_scenes : scene_limits[q]);
+    }
+  });
+  return found;
+}
+
+}  // namespace stemwise::treeloc

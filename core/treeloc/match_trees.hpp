@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/field.hpp"
+#include "core/treeloc/planar_pose.hpp"
+#include "core/treeloc/scene.hpp"
+
+namespace stemwise::treeloc {
+
+/// Positions and diameters of a scene's trees, side by side.
+struct PlanarTrees {
+  std::span<const float> x_m;
+  std::span<const float> y_m;
+  std::span<const float> dbh_m;
+  std::size_t size() const { return x_m.size(); }
+};
+
+/// Scenes' trees in three flat arrays.
+class PlanarTreeStore {
+public:
+  void add(const Scene& scene);
+  void clear();
+  PlanarTrees trees(std::size_t scene) const;
+  std::size_t scene_count() const { return first_.size() - 1; }
+
+private:
+  std::vector<float> x_m_, y_m_, dbh_m_;
+  std::vector<std::size_t> first_{0};
+};
+
+/// Pairing of the trees of two scenes, coarse to fine (method.md, sections 7.2 and 12).
+struct MatchTreesSettings {
+  double coarse_m = 1.0;
+  double fine_m = 0.4;
+  int steps = 3;
+  double tau_dbh_m = 0.2;
+  Fields fields(const std::string& prefix);
+};
+
+struct TreePair {
+  std::uint16_t query = 0;
+  std::uint16_t candidate = 0;
+  float distance_sq = 0.0F;
+};
+
+/// Pairs the trees of a query with those of candidates, one to one. Keeps its buffers: one per thread.
+class TreeMatcher {
+public:
+  explicit TreeMatcher(const MatchTreesSettings& settings) : settings_(settings) {}
+  /// From a start pose: pairs within the coarse radius, new pose, and so on to the fine radius. Gives the final pose;
+  /// `pairs()` are those within the fine radius of it. Stops where fewer than 3 pairs are left.
+  PlanarPose match(const PlanarTrees& query, const PlanarTrees& candidate, PlanarPose start);
+  /// One-to-one pairs within `radius_m` of a given pose, no new pose: what the result's `pairs()` hold.
+  void pair(const PlanarTrees& query, const PlanarTrees& candidate, const PlanarPose& pose, double radius_m);
+  std::span<const TreePair> pairs() const { return pairs_; }
+
+private:
+  PlanarPose fit(const PlanarTrees& query, const PlanarTrees& candidate, double radius_m);
+
+  MatchTreesSettings settings_;
+  std::vector<TreePair> best_of_candidate_;
+  std::vector<TreePair> pairs_;
+  std::vector<PlanarPair> points_;
+};
+
+}  // namespace stemwise::treeloc

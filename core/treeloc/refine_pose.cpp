@@ -1,0 +1,128 @@
+#include "core/treeloc/refine_pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace stemwise::treeloc {
+namespace {
+
+/// Cauchy weight of a residual, squared, at a scale.
+double cauchy(double residual_sq, double scale) { return 1.0 / (1.0 + residual_sq / (scale * scale)); }
+
+PlanarPose refine_planar(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs, PlanarPose pose,
+                         const RefinePoseSettings& settings) {
+  std::vector<PlanarPair> points;
+  for (const TreePair& p : pairs) {
+    points.push_back({query.trees[p.query].position_m.head<2>(), candidate.trees[p.candidate].position_m.head<2>(), 1.0});
+  }
+  for (int i = 0; i < settings.iterations; ++i) {
+    for (PlanarPair& p : points) p.weight = cauchy((pose * p.query - p.candidate).squaredNorm(), settings.planar_scale_m);
+    pose = fit_planar_pose(points);
+  }
+  return pose;
+}
+
+/// One equation per row for (dz, roll, pitch): b_C = b_Q + dz - pitch x + roll y, and differences of axes.
+struct TiltEquations {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  void add(const Eigen::Vector3d& row, double value, double weight) {
+    normal += weight * row * row.transpose();
+    right += weight * value * row;
+  }
+};
+
+struct TiltPair {
+  Eigen::Vector3d height_row;  ///< (1, y, -x) in the candidate's aligned frame
+  double height_difference_m;
+  bool has_height, has_axes;
+  Eigen::Vector2d axis_difference;
+};
+
+std::vector<TiltPair> tilt_pairs(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs,
+                                 const PlanarPose& pose) {
+  const RigidTransform lifted = pose.lifted();
+  std::vector<TiltPair> out;
+  for (const TreePair& p : pairs) {
+    const SceneTree& q = query.trees[p.query];
+    const SceneTree& c = candidate.trees[p.candidate];
+    const Eigen::Vector3d at = lifted * q.position_m;
+    const bool axes = q.has_axis() && c.has_axis();
+    const Eigen::Vector3d difference = c.axis - lifted.rotation * q.axis;
+    out.push_back({{1.0, at.y(), -at.x()}, c.position_m.z() - at.z(), q.has_height && c.has_height, axes, difference.head<2>()});
+  }
+  return out;
+}
+
+/// (dz, roll, pitch) by reweighted least squares.
+Eigen::Vector3d solve_tilt(const std::vector<TiltPair>& pairs, double displacement_m, bool level_sensor,
+                           const RefinePoseSettings& settings) {
+  std::vector<double> differences;
+  for (const TiltPair& p : pairs) {
+    if (p.has_height) differences.push_back(p.height_difference_m);
+  }
+  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
+  if (!differences.empty()) {
+    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+    std::nth_element(differences.begin(), middle, differences.end());
+    solution[0] = *middle;
+  }
+  const double axis_scale = radians(settings.axis_scale_deg);
+  const double prior_m = settings.height_prior_m + settings.height_prior_per_m * displacement_m;
+  for (int i = 0; i < settings.iterations; ++i) {
+    TiltEquations equations;
+    const double tilt_weight = 1.0 / std::pow(radians(settings.tilt_prior_deg), 2);
+    equations.add({0.0, 1.0, 0.0}, 0.0, tilt_weight);
+    equations.add({0.0, 0.0, 1.0}, 0.0, tilt_weight);
+    if (level_sensor) equations.add({1.0, 0.0, 0.0}, 0.0, cauchy(solution[0] * solution[0], 3.0 * prior_m) / (prior_m * prior_m));
+    for (const TiltPair& p : pairs) {
+      if (p.has_height) {
+        const double r = p.height_difference_m - p.height_row.dot(solution);
+        equations.add(p.height_row, p.height_difference_m,
+                      cauchy(r * r, settings.height_scale_m) / std::pow(settings.height_scale_m, 2));
+      }
+      if (p.has_axes) {
+        const Eigen::Vector2d r = p.axis_difference - Eigen::Vector2d(solution[2], -solution[1]);
+        const double weight = cauchy(r.squaredNorm(), axis_scale) / (axis_scale * axis_scale);
+        equations.add({0.0, 0.0, 1.0}, p.axis_difference.x(), weight);
+        equations.add({0.0, -1.0, 0.0}, p.axis_difference.y(), weight);
+      }
+    }
+    if (equations.normal(0, 0) <= 0.0) equations.normal(0, 0) = 1.0;  // no height anywhere: none is observed
+    solution = equations.normal.ldlt().solve(equations.right);
+  }
+  return solution;
+}
+
+}  // namespace
+
+Fields RefinePoseSettings::fields(const std::string& prefix) {
+  return {
+      {prefix + ".planar_scale_m", "m", "Planar residual at which a pair counts half", &planar_scale_m},
+      {prefix + ".height_scale_m", "m", "Noise of base heights; a residual of this size counts half", &height_scale_m},
+      {prefix + ".axis_scale_deg", "deg", "Noise of stem axes", &axis_scale_deg},
+      {prefix + ".tilt_prior_deg", "deg", "How far axis alignment may leave a scene from upright", &tilt_prior_deg},
+      {prefix + ".height_prior", "", "A carried sensor keeps its height above the ground", &height_prior},
+      {prefix + ".height_prior_m", "m", "Standard deviation of the height difference of two poses at one spot", &height_prior_m},
+      {prefix + ".height_prior_per_m", "m/m", "What it grows by per metre of displacement", &height_prior_per_m},
+      {prefix + ".iterations", "", "Reweighted steps", &iterations}};
+}
+
+RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs, const PlanarPose& start,
+                        const RefinePoseSettings& settings) {
+  RefinedPose refined;
+  refined.planar = refine_planar(query, candidate, pairs, start, settings);
+  const bool level_sensor = settings.height_prior && query.from_frame && candidate.from_frame;
+  const Eigen::Vector3d tilt =
+      solve_tilt(tilt_pairs(query, candidate, pairs, refined.planar), refined.planar.displacement_m(), level_sensor, settings);
+  const RigidTransform correction{rotation_from({tilt[1], tilt[2], 0.0}), {0.0, 0.0, tilt[0]}};
+  const RigidTransform candidate_upright{candidate.aligned_from_scene, Eigen::Vector3d::Zero()};
+  const RigidTransform query_upright{query.aligned_from_scene, Eigen::Vector3d::Zero()};
+  refined.candidate_from_query = candidate_upright.inverse() * correction * refined.planar.lifted() * query_upright;
+  return refined;
+}
+
+}  // namespace stemwise::treeloc

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "core/base/field.hpp"
+#include "core/treeloc/align_axes.hpp"
+#include "core/treeloc/fuse_poses.hpp"
+#include "core/treeloc/match_trees.hpp"
+#include "core/treeloc/prepare_scene.hpp"
+#include "core/treeloc/refine_pose.hpp"
+#include "core/treeloc/triangles.hpp"
+#include "core/treeloc/verify_scenes.hpp"
+#include "core/treeloc/vote_scenes.hpp"
+
+namespace stemwise::treeloc {
+
+enum class Method { stemwise, treelocpp, treeloc };
+/// "stemwise", "treeloc++", "treeloc".
+const char* to_string(Method method);
+std::optional<Method> method_from(const std::string& word);
+
+/// Every setting of a method, step by step.
+struct Settings {
+  Method method = Method::stemwise;
+  PrepareSettings scene;
+  AlignAxesSettings axes;
+  TriangleSettings triangles;
+  VoteSettings vote;
+  MatchTreesSettings match;
+  VerifySettings verify;
+  RefinePoseSettings refine;
+  FusePosesSettings fuse;
+
+  /// All of them under "scene.", "axes.", ...: what `--set` takes.
+  Fields fields();
+  Issues check();
+};
+
+/// The settings of a method. `preset`: "auto" (the default; one for all sites), "plot" or "route" (the published ones).
+Settings settings_for(Method method, const std::string& preset);
+
+/// What "auto" leaves open is derived from the survey itself; the same for every site.
+Settings resolve_settings(const Settings& settings, const FrameSet& survey);
+
+}  // namespace stemwise::treeloc

@@ -1,0 +1,177 @@
+#include "core/treeloc/stemwise_localizer.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace stemwise::treeloc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds(Clock::time_point from, Clock::time_point to) { return std::chrono::duration<double>(to - from).count(); }
+
+struct Database {
+  explicit Database(const Settings& s) : settings(s), index(s.triangles) {}
+  Settings settings;
+  std::vector<Scene> scenes;
+  PlanarTreeStore trees;
+  TriangleIndex index;
+};
+
+/// A verified scene before its pose is refined.
+struct Verified {
+  std::uint32_t scene = 0;
+  int votes = 0;
+  int pairs = 0;
+  PlanarPose pose;
+};
+
+class StemwiseWorker final : public QueryWorker {
+public:
+  explicit StemwiseWorker(const Database& database)
+      : db_(database), maker_(database.settings.triangles), vote_(database.settings.vote), matcher_(database.settings.match) {}
+
+  Localization localize(const Scene& query, std::uint32_t scene_limit) override {
+    const auto start = Clock::now();
+    const auto& triangles = maker_.make(query);
+    const auto described = Clock::now();
+    const auto voted = vote_.vote(db_.index, triangles, scene_limit);
+    const auto retrieved = Clock::now();
+    query_trees_.clear();
+    query_trees_.add(query);
+    verified_.clear();
+    for (const VotedScene& v : voted) verify(v.scene, v.votes, v.pose);
+    propagate(scene_limit);
+    Localization found = answer(query);
+    found.triangles = static_cast<int>(triangles.size());
+    found.describe_s = seconds(start, described);
+    found.retrieve_s = seconds(described, retrieved);
+    found.verify_s = seconds(retrieved, Clock::now());
+    return found;
+  }
+
+private:
+  void verify(std::uint32_t scene, int votes, const PlanarPose& start) {
+    const PlanarPose pose = matcher_.match(query_trees_.trees(0), db_.trees.trees(scene), start);
+    const int pairs = static_cast<int>(matcher_.pairs().size());
+    if (pairs >= db_.settings.verify.min_pairs) verified_.push_back({scene, votes, pairs, pose});
+  }
+
+  /// Among the strong ones the nearest; -1 where nothing was verified.
+  std::ptrdiff_t choose() const {
+    int most = 0;
+    for (const Verified& v : verified_) most = std::max(most, v.pairs);
+    std::ptrdiff_t best = -1;
+    for (std::size_t i = 0; i < verified_.size(); ++i) {
+      if (verified_[i].pairs < db_.settings.verify.strong_share * most) continue;
+      if (best < 0 || verified_[i].pose.displacement_m() < verified_[static_cast<std::size_t>(best)].pose.displacement_m()) {
+        best = static_cast<std::ptrdiff_t>(i);
+      }
+    }
+    return best;
+  }
+
+  /// Carries the best pose over to the database scenes near the estimated position and verifies them too.
+  void propagate(std::uint32_t scene_limit) {
+    const std::ptrdiff_t best = choose();
+    if (best < 0 || db_.settings.verify.propagate_most <= 0) return;
+    const Verified from = verified_[static_cast<std::size_t>(best)];
+    const RigidTransform survey_from_query = survey_from_aligned(from.scene) * from.pose.lifted();
+    const Eigen::Vector3d here = survey_from_query.translation_m;
+    nearby_.clear();
+    const double radius_sq = db_.settings.verify.propagate_radius_m * db_.settings.verify.propagate_radius_m;
+    const std::size_t end = std::min<std::size_t>(scene_limit, db_.scenes.size());
+    for (std::size_t s = 0; s < end; ++s) {
+      const double distance_sq = (db_.scenes[s].survey_from_scene.translation_m - here).head<2>().squaredNorm();
+      if (distance_sq < radius_sq) nearby_.push_back({distance_sq, static_cast<std::uint32_t>(s)});
+    }
+    std::sort(nearby_.begin(), nearby_.end());
+    if (nearby_.size() > static_cast<std::size_t>(db_.settings.verify.propagate_most)) {
+      nearby_.resize(static_cast<std::size_t>(db_.settings.verify.propagate_most));
+    }
+    for (const auto& [distance_sq, scene] : nearby_) {
+      verify(scene, 0, planar_part(survey_from_aligned(scene).inverse() * survey_from_query));
+    }
+  }
+
+  RigidTransform survey_from_aligned(std::uint32_t scene) const {
+    const Scene& s = db_.scenes[scene];
+    return {s.survey_from_scene.rotation * s.aligned_from_scene.transpose(), s.survey_from_scene.translation_m};
+  }
+
+  Candidate candidate_of(const Verified& v, const Scene& query) {
+    matcher_.pair(query_trees_.trees(0), db_.trees.trees(v.scene), v.pose, db_.settings.match.fine_m);
+    const RefinedPose refined = refine_pose(query, db_.scenes[v.scene], matcher_.pairs(), v.pose, db_.settings.refine);
+    const double displacement_m = refined.planar.displacement_m();
+    return {v.scene,
+            overlap_score_linear(v.pairs, query.trees.size(), db_.scenes[v.scene].trees.size(), displacement_m,
+                                 db_.settings.verify.penalty_m),
+            v.pairs,
+            v.votes,
+            displacement_m,
+            refined.candidate_from_query};
+  }
+
+  Localization answer(const Scene& query) {
+    Localization found;
+    const std::ptrdiff_t best = choose();
+    if (best < 0) return found;
+    std::swap(verified_.front(), verified_[static_cast<std::size_t>(best)]);
+    for (const Verified& v : verified_) {
+      const bool known = std::any_of(found.candidates.begin(), found.candidates.end(),
+                                     [&](const Candidate& c) { return c.scene == v.scene && c.pairs >= v.pairs; });
+      if (!known) found.candidates.push_back(candidate_of(v, query));
+    }
+    std::stable_sort(found.candidates.begin() + 1, found.candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    if (db_.settings.fuse.enabled) fuse(found.candidates);
+    return found;
+  }
+
+  /// Replaces the chosen candidate's pose by the mean of what the strong ones say that agree with it.
+  void fuse(std::vector<Candidate>& candidates) const {
+    const Candidate& chosen = candidates.front();
+    const RigidTransform reference = db_.scenes[chosen.scene].survey_from_scene * chosen.candidate_from_query;
+    std::vector<WeightedPose> poses;
+    for (const Candidate& c : candidates) {
+      if (static_cast<int>(poses.size()) >= db_.settings.fuse.most) break;
+      const RigidTransform pose = db_.scenes[c.scene].survey_from_scene * c.candidate_from_query;
+      if ((pose.translation_m - reference.translation_m).norm() > 1.5) continue;
+      poses.push_back({pose, c.score});
+    }
+    const RigidTransform fused = fuse_poses(poses, db_.settings.fuse);
+    candidates.front().candidate_from_query = db_.scenes[chosen.scene].survey_from_scene.inverse() * fused;
+  }
+
+  const Database& db_;
+  TriangleMaker maker_;
+  SceneVote vote_;
+  TreeMatcher matcher_;
+  PlanarTreeStore query_trees_;
+  std::vector<Verified> verified_;
+  std::vector<std::pair<double, std::uint32_t>> nearby_;
+};
+
+class StemwiseLocalizer final : public Localizer {
+public:
+  explicit StemwiseLocalizer(const Settings& settings) : db_(settings) {}
+  void add(std::vector<Scene> scenes, int threads) override {
+    db_.index.add(scenes, threads);
+    for (Scene& scene : scenes) {
+      db_.trees.add(scene);
+      db_.scenes.push_back(std::move(scene));
+    }
+  }
+  const std::vector<Scene>& scenes() const override { return db_.scenes; }
+  std::unique_ptr<QueryWorker> worker() const override { return std::make_unique<StemwiseWorker>(db_); }
+
+private:
+  Database db_;
+};
+
+}  // namespace
+
+std::unique_ptr<Localizer> make_stemwise_localizer(const Settings& settings) {
+  return std::make_unique<StemwiseLocalizer>(settings);
+}
+
+}  // namespace stemwise::treeloc
