@@ -21,7 +21,7 @@ Eigen::Matrix3d enu_from_reference(const Georeference& anchor) {
 }  // namespace
 
 Geodetic geodetic_from_reference(const Georeference& anchor, const Eigen::Vector3d& point_in_reference_m) {
-  const Eigen::Vector3d enu = enu_from_reference(anchor) * point_in_reference_m;
+  const Eigen::Vector3d enu = enu_from_reference(anchor) * (point_in_reference_m - anchor.anchored_point_m);
   Geodetic out;
   tangent_plane(anchor).Reverse(enu.x(), enu.y(), enu.z(), out.latitude_deg, out.longitude_deg, out.height_m);
   return out;
@@ -30,7 +30,7 @@ Geodetic geodetic_from_reference(const Georeference& anchor, const Eigen::Vector
 Eigen::Vector3d reference_from_geodetic(const Georeference& anchor, const Geodetic& point) {
   Eigen::Vector3d enu;
   tangent_plane(anchor).Forward(point.latitude_deg, point.longitude_deg, point.height_m, enu.x(), enu.y(), enu.z());
-  return enu_from_reference(anchor).transpose() * enu;
+  return enu_from_reference(anchor).transpose() * enu + anchor.anchored_point_m;
 }
 
 std::optional<UtmPosition> utm_from_geodetic(const Geodetic& point, const Geodetic& zone_of) {

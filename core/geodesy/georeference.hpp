@@ -15,11 +15,13 @@ struct Geodetic {
 
 enum class GeoreferenceKind { none, anchor, crs };
 
-/// Where the reference's frame lies on the earth. `anchor`: the position of its origin and the direction of its +y axis
-/// (degrees clockwise from true north); the frame is level there. `crs`: its coordinates are already those of `epsg`.
+/// Where the reference's frame lies on the earth. `anchor`: the position of one of its points (its origin unless
+/// `anchored_point_m` says otherwise) and the direction of its +y axis (degrees clockwise from true north); the frame is
+/// level there. `crs`: its coordinates are already those of `epsg`.
 struct Georeference {
   GeoreferenceKind kind = GeoreferenceKind::none;
   Geodetic origin;
+  Eigen::Vector3d anchored_point_m = Eigen::Vector3d::Zero();  ///< in the reference's frame: what lies at `origin`
   double azimuth_deg = 0.0;
   int epsg = 0;           ///< of the coordinates for `crs`
   double sd_m = 0.0;      ///< planar uncertainty, 0 when nothing is known

@@ -5,7 +5,7 @@
 namespace stemwise {
 namespace {
 
-const Georeference anchor{GeoreferenceKind::anchor, {48.77, 9.17, 410.0}, 30.0, 0, 0.0, "anchor"};
+const Georeference anchor{GeoreferenceKind::anchor, {48.77, 9.17, 410.0}, {0, 0, 0}, 30.0, 0, 0.0, "anchor"};
 
 TEST(Georeference, PutsTheOriginOnTheAnchorAndComesBackWithinAMillimetre) {
   const Geodetic origin = geodetic_from_reference(anchor, {0, 0, 0});

@@ -21,6 +21,8 @@ struct Case {
 
 const EditStamp stamp{"Ada", "2026-11-22T10:00:00Z", "seen in the field"};
 
+const Georeference anchor{GeoreferenceKind::anchor, {48.0, 9.0, 400.0}, {0, 0, 0}, 12.0, 0, 0.5, "anchor"};
+
 std::vector<Case> every_command() {
   return {
       {"AddInventory", [](const Project&) { return add_inventory(test::grid_inventory("2023", date_from_civil(2024, 7, 1), 5, 0.0)); }},
@@ -38,7 +40,7 @@ std::vector<Case> every_command() {
       {"UnlinkMiddle", [](const Project& p) { return unlink_stem(stem_of(p, 1, 3), stamp); }},
       {"SetFate", [](const Project& p) { return set_fate(p.state().tree_of(stem_of(p, 0, 3)), Fate::removed, stamp); }},
       {"SetNote", [](const Project& p) { return set_tree_note(p.state().tree_of(stem_of(p, 0, 3)), "fork", stamp); }},
-      {"SetGeoreference", [](const Project&) { return set_georeference({GeoreferenceKind::anchor, {48.0, 9.0, 400.0}, 12.0, 0, 0.5, "anchor"}); }},
+      {"SetGeoreference", [](const Project&) { return set_georeference(anchor); }},
       {"SetFusion", [](const Project&) { return set_fusion_policy(FusionPolicy::mean); }},
       {"SetCoverage", [](const Project& p) { return set_coverage(p.state().reference, {{{{0, 0}, {9, 0}, {9, 9}}}, CoverageSource::drawn}); }},
       {"SetDbhError", [](const Project& p) { return set_dbh_error(p.state().reference, 0.012); }},
