@@ -165,7 +165,8 @@ Result<ControlReport> solve_control_points(const std::vector<ControlPoint>& poin
   plane.origin = middle(points);
   const std::vector<PlanarPair> pairs = planar_pairs(points, plane);
   if (auto issue = check(points, pairs, settings.translation_only)) return Result<ControlReport>::failure(*issue);
-  const auto yaw_rad = settings.translation_only ? std::optional(-radians(settings.azimuth_deg)) : std::nullopt;
+  std::optional<double> yaw_rad;
+  if (settings.translation_only) yaw_rad.emplace(-radians(settings.azimuth_deg));
   const Indices used = consensus(pairs, settings, yaw_rad);
   const PlanarFit pose = fit(pairs, used, yaw_rad);
   ControlReport out = report(points, pairs, used, pose, yaw_rad);
