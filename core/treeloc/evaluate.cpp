@@ -13,15 +13,6 @@ double planar_distance_m(const Scene& a, const Scene& b) {
   return (a.survey_from_scene.translation_m - b.survey_from_scene.translation_m).head<2>().norm();
 }
 
-bool inside(const Polygon2& polygon, const Eigen::Vector2d& p) {
-  bool in = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const auto &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) in = !in;
-  }
-  return in;
-}
-
 /// Planar distance from the query to the nearest of the first `limit` scenes of the map.
 double nearest_m(const Scene& query, std::span<const Scene> map, std::uint32_t limit) {
   double nearest = std::numeric_limits<double>::max();
@@ -97,16 +88,22 @@ struct Selection {
   std::vector<char> has_positive;
 };
 
-Evaluation measure(const Localizer& localizer, const Selection& selection, const EvaluateSettings& protocol, int threads) {
+Evaluation measure(const Localizer& localizer, const Selection& selection, const Settings& settings,
+                   const EvaluateSettings& protocol, int threads, const Progress& progress) {
   Evaluation e;
+  const double acceptance = e.acceptance_score = acceptance_score(settings.method);
   e.map_scenes = localizer.scenes().size();
-  const auto found = localize_all(localizer, selection.queries, selection.limits, threads);
+  const auto found = localize_all(localizer, selection.queries, selection.limits, threads, progress);
   std::vector<Localization> timed;
   for (std::size_t q = 0; q < found.size(); ++q) {
     if (selection.has_positive[q] != 0) {
       e.rows.push_back(row_of(selection.queries[q], found[q], localizer.scenes(), protocol));
       timed.push_back(found[q]);
-    } else if (!found[q].candidates.empty()) {
+      continue;
+    }
+    ++e.queries_without_truth;
+    if (!found[q].candidates.empty()) {
+      if (found[q].candidates.front().score >= acceptance) ++e.accepted_without_truth;
       e.highest_score_without_truth = std::max(e.highest_score_without_truth, found[q].candidates.front().score);
     }
   }
@@ -126,6 +123,15 @@ void select(Selection& selection, const Scene& query, std::span<const Scene> map
   selection.queries.push_back(query);
   selection.limits.push_back(limit);
   selection.has_positive.push_back(nearest <= protocol.positive_m ? 1 : 0);
+}
+
+void count_accepted(Evaluation& e, std::span<const QueryRow> rows) {
+  constexpr double wrong_m = 1.0;
+  for (const QueryRow& row : rows) {
+    if (!row.found() || row.score < e.acceptance_score) continue;
+    ++e.accepted;
+    if (row.error.planar_m() > wrong_m) ++e.accepted_wrong;
+  }
 }
 
 double timed_add(Localizer& localizer, std::vector<Scene> scenes, int threads) {
@@ -183,7 +189,8 @@ RetrievalMetrics retrieval_metrics(std::span<const QueryRow> rows, int threshold
   return m;
 }
 
-Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads) {
+Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads,
+                          const Progress& progress) {
   Selection selection;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto excluded = static_cast<std::size_t>(protocol.excluded_preceding);
@@ -191,28 +198,30 @@ Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, c
   }
   const auto localizer = make_localizer(settings);
   const double index_s = timed_add(*localizer, std::move(scenes), threads);
-  Evaluation e = measure(*localizer, selection, protocol, threads);
+  Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;
+  count_accepted(e, e.rows);
   return e;
 }
 
-Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon2> regions,
-                          const Settings& settings, const EvaluateSettings& protocol, int threads) {
+Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon> regions,
+                          const Settings& settings, const EvaluateSettings& protocol, int threads, const Progress& progress) {
   Selection selection;
   for (const Scene& query : queries) {
     const Eigen::Vector2d at = query.survey_from_scene.translation_m.head<2>();
     const bool counts =
-        regions.empty() || std::any_of(regions.begin(), regions.end(), [&](const Polygon2& r) { return inside(r, at); });
+        regions.empty() || std::any_of(regions.begin(), regions.end(), [&](const Polygon& r) { return contains(r, at); });
     if (counts) select(selection, query, map, QueryWorker::all_scenes, protocol);
   }
   queries.clear();
   queries.shrink_to_fit();
   const auto localizer = make_localizer(settings);
   const double index_s = timed_add(*localizer, std::move(map), threads);
-  Evaluation e = measure(*localizer, selection, protocol, threads);
+  Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;
   std::vector<QueryRow> aligned = e.rows;
   align_truths(aligned);
+  count_accepted(e, aligned);
   e.pose_3d_truth_aligned = pose_metrics(aligned, protocol, true);
   return e;
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/polygon.hpp"
+#include "core/jobs/progress.hpp"
 #include "core/treeloc/localizer.hpp"
 
 namespace stemwise::treeloc {
@@ -68,17 +70,23 @@ struct Evaluation {
   PoseMetrics pose_2d, pose_3d;
   std::optional<PoseMetrics> pose_3d_truth_aligned;  ///< inter: after one SE(3) was fitted between the truths
   EvaluationTiming timing;
+  /// What the method's fixed threshold accepts. `wrong`: planar distance from the truth (moved by the fitted SE(3) between
+  /// sessions) above 1 m.
+  double acceptance_score = 0.0;
+  int accepted = 0;
+  int accepted_wrong = 0;
   /// Queries without anything within 30 m: the highest score of any is what a threshold must exceed.
+  int queries_without_truth = 0;
+  int accepted_without_truth = 0;
   double highest_score_without_truth = 0.0;
 };
 
-using Polygon2 = std::vector<Eigen::Vector2d>;
-
 /// Query and database are the frames of one survey in driving order.
-Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads);
+Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads,
+                          const Progress& progress);
 /// Only query frames inside one of `regions` count (all when there are none).
-Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon2> regions,
-                          const Settings& settings, const EvaluateSettings& protocol, int threads);
+Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon> regions,
+                          const Settings& settings, const EvaluateSettings& protocol, int threads, const Progress& progress);
 
 RetrievalMetrics retrieval_metrics(std::span<const QueryRow> rows, int thresholds);
 

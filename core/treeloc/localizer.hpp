@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/jobs/progress.hpp"
 #include "core/treeloc/scene.hpp"
 #include "core/treeloc/settings.hpp"
 
@@ -56,7 +57,8 @@ public:
 
 std::unique_ptr<Localizer> make_localizer(const Settings& settings);
 
-/// Localises many queries over threads; the result does not depend on how many. `scene_limits` is empty or has one per query.
+/// Localises many queries over threads; the result does not depend on how many. Throws Cancelled. `scene_limits` is empty or has
+/// one per query.
 std::vector<Localization> localize_all(const Localizer& localizer, std::span<const Scene> queries,
                                        std::span<const std::uint32_t> scene_limits, int threads);
 

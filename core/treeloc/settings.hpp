@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -19,9 +20,13 @@ enum class Method { stemwise, treelocpp, treeloc };
 const char* to_string(Method method);
 std::optional<Method> method_from(const std::string& word);
 
+/// The fixed score from which on a match is accepted, for all forests; each form of the penalty has its own.
+double acceptance_score(Method method);
+
 /// Every setting of a method, step by step.
 struct Settings {
   Method method = Method::stemwise;
+  std::uint64_t seed = 0;  ///< of the published method's RANSAC; the default method has no random choice
   PrepareSettings scene;
   AlignAxesSettings axes;
   TriangleSettings triangles;
