@@ -11,7 +11,7 @@ namespace stemwise::treeloc {
 std::unique_ptr<Localizer> make_localizer(const Settings& settings) { return make_stemwise_localizer(settings); }
 
 std::vector<Localization> localize_all(const Localizer& localizer, std::span<const Scene> queries,
-                                       std::span<const std::uint32_t> scene_limits, int threads) {
+                                       std::span<const std::uint32_t> scene_limits, int threads, const Progress& progress) {
   constexpr std::size_t per_block = 32;  // one worker per block: its buffers are made once for many queries
   std::vector<Localization> found(queries.size());
   std::atomic<std::size_t> done{0};

@@ -60,6 +60,6 @@ std::unique_ptr<Localizer> make_localizer(const Settings& settings);
 /// Localises many queries over threads; the result does not depend on how many. Throws Cancelled. `scene_limits` is empty or has
 /// one per query.
 std::vector<Localization> localize_all(const Localizer& localizer, std::span<const Scene> queries,
-                                       std::span<const std::uint32_t> scene_limits, int threads);
+                                       std::span<const std::uint32_t> scene_limits, int threads, const Progress& progress);
 
 }  // namespace stemwise::treeloc
