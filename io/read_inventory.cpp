@@ -1,0 +1,38 @@
+#include "io/read_inventory.hpp"
+
+#include <filesystem>
+
+#include "io/inventory_date.hpp"
+#include "io/read_frame_folder.hpp"
+#include "io/read_table.hpp"
+
+namespace stemwise {
+namespace {
+
+Result<Inventory> refused(const std::string& path, std::string text, std::string help) {
+  return Result<Inventory>::failure(Issue{Severity::error, path, 0, {}, std::move(text), std::move(help)});
+}
+
+Result<Inventory> read_folder(const std::string& path, const ReadOptions& options) {
+  if (!is_frame_folder(path)) {
+    return refused(path, "is a folder without trajectory.txt and TreeManagerState_<n>.csv", "name a frame folder, or a file with a stem list");
+  }
+  auto result = read_frame_folder(path, options.threads);
+  if (result && options.date) {
+    result->date = options.date;
+    result->source.notes.push_back("date: " + to_string(*options.date) + ", as told");
+  }
+  if (result && !result->date) result->date = date_from_name(path);
+  return result;
+}
+
+}  // namespace
+
+Result<Inventory> read_inventory(const std::string& path, const ReadOptions& options) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return refused(path, "there is no such file or folder", "check the name");
+  if (std::filesystem::is_directory(path, error)) return read_folder(path, options);
+  return read_table(path, options);
+}
+
+}  // namespace stemwise

@@ -1,0 +1,358 @@
+#include "io/stems_from_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/crs.hpp"
+#include "io/inventory_date.hpp"
+#include "io/plot_filter.hpp"
+#include "io/stem_columns.hpp"
+#include "io/stem_status.hpp"
+
+namespace stemwise {
+namespace {
+
+using K = ColumnKind;
+
+constexpr double largest_dbh_m = 20.0;      // the widest trunk ever measured has 14 m
+constexpr double largest_position_m = 2e7;  // half the earth's girth
+constexpr double quadrat_m = 20.0;
+
+/// Turns rows into stems and gathers what is wrong with them.
+class StemMaker {
+ public:
+  StemMaker(const StemTable& table, const StemColumns& columns, const ReadOptions& options)
+      : table_(table), columns_(columns), options_(options) {
+    if (const auto at = columns[K::status]) numbers_from_one_ = table.names[*at].base == "statuscd";
+  }
+
+  void run() {
+    for (std::size_t r = 0; r < table_.rows.size(); ++r) {
+      const GridRow& row = table_.rows[r];
+      if (is_empty(row)) continue;
+      ++rows_met_;
+      const std::size_t issues_before = issues_.size();
+      bad_ = false;
+      Stem stem = stem_of(row);
+      if (bad_) {
+        ++rows_bad_;
+        continue;
+      }
+      if (!options_.keep_dead && stem.status == StemStatus::dead) {
+        issues_.resize(issues_before);  // nobody minds a dead tree's missing diameter
+        ++rows_dead_;
+        continue;
+      }
+      stems_.push_back(std::move(stem));
+      rows_.push_back(r);
+    }
+  }
+
+  std::vector<Stem> stems_;
+  std::vector<std::size_t> rows_;  ///< table row of each stem
+  Issues issues_;
+  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_dead_ = 0, without_number_ = 0, unknown_status_ = 0;
+
+ private:
+  void complain(const GridRow& row, std::size_t column, std::string text) {
+    issues_.push_back({Severity::warning, table_.file, row.row, column < table_.header.size() ? table_.header[column] : std::string(), std::move(text), {}});
+  }
+
+  std::string shown(std::string_view cell) const { return "\"" + std::string(cell.substr(0, 40)) + "\""; }
+
+  /// No cell of a column in use holds anything: a row of another table beside ours, or an empty one.
+  bool is_empty(const GridRow& row) const {
+    const auto filled = [&](std::size_t column) { return !table_.cell(row, column).empty(); };
+    if (filled(columns_.position.first) || filled(columns_.position.second)) return false;
+    for (const K kind : {K::dbh, K::circumference, K::id}) {
+      if (columns_[kind] && filled(*columns_[kind])) return false;
+    }
+    return true;
+  }
+
+  /// A number that must be there.
+  std::optional<double> needed(const GridRow& row, std::size_t column, const char* what) {
+    const auto cell = table_.cell(row, column);
+    const Quantity q = parse_quantity(cell, table_.style);
+    if (q.kind == Quantity::Kind::number) return q.value;
+    bad_ = true;
+    if (column >= row.cells.size()) {
+      complain(row, row.cells.size(), "the row has " + std::to_string(row.cells.size()) + " fields, " + std::to_string(table_.header.size()) + " expected");
+    } else {
+      complain(row, column, (cell.empty() ? std::string("is empty") : shown(cell)) + ", expected " + what);
+    }
+    return std::nullopt;
+  }
+
+  /// A number that may be missing; text in its place makes the row bad. `unit_m`: metres per unit.
+  std::optional<double> optional_number(const GridRow& row, std::optional<std::size_t> column, double unit_m, const char* what) {
+    if (!column) return std::nullopt;
+    const auto cell = table_.cell(row, *column);
+    const Quantity q = parse_quantity(cell, table_.style);
+    if (q.kind == Quantity::Kind::number) return q.value * (metres_per(q.unit) > 0.0 ? metres_per(q.unit) : unit_m);
+    if (q.kind == Quantity::Kind::bad) {
+      bad_ = true;
+      complain(row, *column, shown(cell) + ", expected " + what);
+    } else if (q.kind == Quantity::Kind::not_a_number) {
+      ++without_number_;
+      complain(row, *column, shown(cell) + ", expected " + what + "; taken as not measured");
+    }
+    return std::nullopt;
+  }
+
+  void set_position(const GridRow& row, Stem& stem) {
+    const auto& p = columns_.position;
+    const bool polar = p.scheme == PositionScheme::polar;
+    const bool geographic = p.scheme == PositionScheme::geographic;
+    const auto a = needed(row, p.first, polar ? "an azimuth" : geographic ? "a longitude in degrees" : "a number");
+    const auto b = needed(row, p.second, polar ? "a distance" : geographic ? "a latitude in degrees" : "a number");
+    if (!a || !b) return;
+    stem.x_m = *a * columns_.position_m;
+    stem.y_m = *b * columns_.position_m;
+    if (polar) set_polar(row, *a, *b, stem);
+    if (geographic && (std::abs(*a) > 180.0 || std::abs(*b) > 90.0)) {
+      bad_ = true;
+      complain(row, p.first, shown(table_.cell(row, p.first)) + " and " + shown(table_.cell(row, p.second)) + " are no longitude and latitude");
+    }
+    if (p.scheme == PositionScheme::quadrat) add_quadrat(row, stem);
+    if (std::abs(stem.x_m) > largest_position_m || std::abs(stem.y_m) > largest_position_m) {
+      bad_ = true;
+      complain(row, p.first, shown(table_.cell(row, p.first)) + " and " + shown(table_.cell(row, p.second)) + " lie off the earth");
+    }
+  }
+
+  void set_polar(const GridRow& row, double azimuth, double distance, Stem& stem) {
+    const auto& p = columns_.position;
+    if (azimuth < 0.0 || azimuth * columns_.azimuth_rad > 2.0 * 3.15) {
+      bad_ = true;
+      complain(row, p.first, shown(table_.cell(row, p.first)) + ", expected an azimuth of a full circle");
+    } else if (distance < 0.0) {
+      bad_ = true;
+      complain(row, p.second, shown(table_.cell(row, p.second)) + ", expected a distance of 0 or more");
+    }
+    const double angle_rad = azimuth * columns_.azimuth_rad;  // clockwise from north (+y)
+    const double distance_m = distance * columns_.position_m;
+    stem.x_m = distance_m * std::sin(angle_rad);
+    stem.y_m = distance_m * std::cos(angle_rad);
+  }
+
+  /// ForestGEO names a quadrat by column and row, two digits each, from 01 (or 00).
+  void add_quadrat(const GridRow& row, Stem& stem) {
+    const auto name = table_.cell(row, columns_.position.quadrat);
+    const Quantity q = parse_quantity(name, table_.style);
+    if (q.kind != Quantity::Kind::number || q.value < 0.0 || q.value > 9999.0) {
+      bad_ = true;
+      return complain(row, columns_.position.quadrat, shown(name) + ", expected a quadrat such as 0104");
+    }
+    const int number = static_cast<int>(q.value);
+    stem.x_m += quadrat_m * std::max(number / 100 - 1, 0);
+    stem.y_m += quadrat_m * std::max(number % 100 - 1, 0);
+  }
+
+  void set_diameter(const GridRow& row, Stem& stem) {
+    const auto column = columns_[K::dbh] ? columns_[K::dbh] : columns_[K::circumference];
+    if (!column) return;
+    if (*column >= row.cells.size() && row.cells.size() < table_.header.size()) {
+      bad_ = true;
+      return complain(row, *column, "the row has " + std::to_string(row.cells.size()) + " fields, " + std::to_string(table_.header.size()) + " expected");
+    }
+    const double pi = 3.14159265358979323846;
+    auto dbh = optional_number(row, column, columns_[K::dbh] ? columns_.dbh_m : columns_.dbh_m * pi, "a diameter");
+    if (dbh && !columns_[K::dbh]) *dbh /= pi;
+    if (dbh && *dbh > largest_dbh_m) {
+      bad_ = true;
+      complain(row, *column, shown(table_.cell(row, *column)) + " is " + std::to_string(*dbh) + " m, expected a tree's diameter");
+    } else if (dbh && *dbh < 0.0) {
+      complain(row, *column, shown(table_.cell(row, *column)) + ", expected a diameter above 0; taken as not measured");
+    } else if (dbh && *dbh > 0.0) {
+      stem.dbh_m = dbh;
+    }
+    if (const auto hint = optional_number(row, columns_[K::dbh_approximation], columns_.dbh_approximation_m, "a diameter"); hint && *hint > 0.0) {
+      stem.dbh_approximation_m = hint;
+    }
+  }
+
+  void set_axis(const GridRow& row, Stem& stem) {
+    if (!columns_[K::axis_x] || !columns_[K::axis_y] || !columns_[K::axis_z]) return;
+    const auto x = optional_number(row, columns_[K::axis_x], 1.0, "a number");
+    const auto y = optional_number(row, columns_[K::axis_y], 1.0, "a number");
+    const auto z = optional_number(row, columns_[K::axis_z], 1.0, "a number");
+    if (!x || !y || !z) return;
+    Eigen::Vector3d axis(*x, *y, *z);
+    const double length = axis.norm();
+    if (length < 1e-6) return;
+    if (std::abs(length - 1.0) > 1e-12) axis /= length;  // what is a unit vector already stays as it is
+    stem.axis = axis.z() < 0.0 ? Eigen::Vector3d(-axis) : axis;
+  }
+
+  void set_words(const GridRow& row, Stem& stem) {
+    const auto text = [&](std::optional<std::size_t> column) { return column ? table_.cell(row, *column) : std::string_view(); };
+    stem.source_id = std::string(text(columns_[K::id]));
+    if (columns_.tag) stem.source_id = std::string(text(columns_.tag)) + "-" + std::string(text(columns_.stem_tag));
+    if (stem.source_id.empty() || stem.source_id == "-") stem.source_id = std::to_string(row.row);
+    if (const auto species = text(columns_[K::species]); !is_missing_mark(species)) stem.species = std::string(species);
+    if (const auto status = text(columns_[K::status]); !status.empty()) {
+      stem.status = stem_status_from(status, numbers_from_one_);
+      unknown_status_ += stem.status == StemStatus::unknown && !is_missing_mark(status) ? 1 : 0;
+    }
+    if (const auto date = text(columns_[K::date]); !is_missing_mark(date)) {
+      stem.date = parse_date(date);
+      if (!stem.date) complain(row, *columns_[K::date], shown(date) + ", expected a date such as 2023-05-04; left out");
+    }
+  }
+
+  void set_quality(const GridRow& row, Stem& stem) {
+    const auto number = [&](K kind) {
+      const Quantity q = columns_[kind] ? parse_quantity(table_.cell(row, *columns_[kind]), table_.style) : Quantity{};
+      return q.kind == Quantity::Kind::number ? std::optional(q.value) : std::nullopt;
+    };
+    if (const auto clusters = number(K::number_clusters); clusters && *clusters >= 0 && *clusters < 1e6) stem.number_clusters = static_cast<int>(*clusters);
+    if (const auto score = number(K::score)) stem.score = *score;
+    if (!columns_[K::reconstructed]) return;
+    const auto word = table_.cell(row, *columns_[K::reconstructed]);
+    stem.reconstructed = !(word == "0" || word == "False" || word == "false" || word == "FALSE");
+  }
+
+  Stem stem_of(const GridRow& row) {
+    Stem stem;
+    stem.source_row = row.row;
+    set_position(row, stem);
+    if (bad_) return stem;
+    for (std::size_t c = table_.header.size(); c < row.cells.size(); ++c) {
+      if (row.cells[c].empty()) continue;
+      bad_ = true;
+      complain(row, table_.header.size(), "the row has " + std::to_string(row.cells.size()) + " fields, " + std::to_string(table_.header.size()) + " expected");
+      return stem;
+    }
+    set_words(row, stem);
+    stem.z_m = optional_number(row, columns_[K::z], columns_.z_m, "a height in metres");
+    set_diameter(row, stem);
+    if (const auto height = optional_number(row, columns_[K::height], columns_.height_m, "a height"); height && *height > 0.0) stem.height_m = height;
+    set_axis(row, stem);
+    set_quality(row, stem);
+    return stem;
+  }
+
+  const StemTable& table_;
+  const StemColumns& columns_;
+  const ReadOptions& options_;
+  bool numbers_from_one_ = false;
+  bool bad_ = false;
+};
+
+/// Degrees to metres in the UTM zone of the middle stem; stems without a place there are left out.
+Issues project_to_utm(std::vector<Stem>& stems, int from_epsg, std::optional<int>& epsg, std::vector<std::string>& notes) {
+  std::vector<double> lon, lat;
+  const auto to_degrees = CrsTransform::between(from_epsg, wgs84_epsg);
+  const auto first = CrsTransform::between(from_epsg, wgs84_epsg);
+  if (!to_degrees || !first) return to_degrees.issues;
+  for (const Stem& s : stems) {
+    if (const auto p = (*to_degrees)({s.x_m, s.y_m, 0.0})) lon.push_back(p->x()), lat.push_back(p->y());
+  }
+  if (lon.empty()) return {};
+  epsg = utm_epsg_of(*median_of(lon), *median_of(lat));
+  const auto project = CrsTransform::between(from_epsg, *epsg);
+  if (!project) return project.issues;
+  for (Stem& s : stems) {
+    if (const auto p = (*project)({s.x_m, s.y_m, 0.0})) s.x_m = p->x(), s.y_m = p->y();
+  }
+  notes.push_back("positions projected to " + crs_name(*epsg) + " (EPSG:" + std::to_string(*epsg) + ")");
+  return {};
+}
+
+/// Degrees that call themselves x and y: more than three stems on every square metre if they were metres.
+bool are_degrees_in_disguise(const std::vector<Stem>& stems, const StemColumns& columns) {
+  if (columns.position.scheme != PositionScheme::cartesian || stems.size() < 5) return false;
+  double low_x = 1e300, low_y = 1e300, high_x = -1e300, high_y = -1e300;
+  for (const Stem& s : stems) {
+    low_x = std::min(low_x, s.x_m), high_x = std::max(high_x, s.x_m);
+    low_y = std::min(low_y, s.y_m), high_y = std::max(high_y, s.y_m);
+  }
+  if (std::max(std::abs(low_x), std::abs(high_x)) > 180.0 || std::max(std::abs(low_y), std::abs(high_y)) > 90.0) return false;
+  return (high_x - low_x) * (high_y - low_y) * 3.0 < static_cast<double>(stems.size());
+}
+
+void set_dates(Inventory& inventory, const StemTable& table, const StemColumns& columns, const ReadOptions& options) {
+  std::vector<Date> dates;
+  for (const Stem& s : inventory.stems) {
+    if (s.date) dates.push_back(*s.date);
+  }
+  auto& notes = inventory.source.notes;
+  inventory.date = median_date(dates);
+  if (inventory.date) notes.push_back("date: " + to_string(*inventory.date) + ", median of " + std::to_string(dates.size()) + " stems");
+  if (!inventory.date && columns.census_year) {
+    inventory.date = date_from_civil(*columns.census_year, 7, 1);
+    notes.push_back("date: " + std::to_string(*columns.census_year) + ", by the header");
+  }
+  if (!inventory.date) {
+    inventory.date = date_from_name(table.file);
+    if (inventory.date) notes.push_back("date: " + to_string(*inventory.date) + ", from the name");
+  }
+  if (options.date) {
+    inventory.date = options.date;
+    for (Stem& s : inventory.stems) s.date.reset();
+    notes.push_back("date: " + to_string(*options.date) + ", as told");
+  }
+}
+
+void note_counts(const StemMaker& made, const StemTable& table, Inventory& inventory) {
+  std::string text = "rows: " + std::to_string(made.rows_met_) + ", stems read: " + std::to_string(made.stems_.size());
+  if (made.rows_bad_ > 0) text += ", bad rows left out: " + std::to_string(made.rows_bad_);
+  if (made.rows_dead_ > 0) text += ", dead stems left out: " + std::to_string(made.rows_dead_);
+  if (made.unknown_status_ > 0) text += ", stems of unknown status kept: " + std::to_string(made.unknown_status_);
+  inventory.source.notes.push_back(text);
+  std::size_t measured = 0;
+  for (const Stem& s : made.stems_) measured += s.dbh_m ? 1 : 0;
+  if (measured < made.stems_.size()) inventory.source.notes.push_back("stems without a measured DBH: " + std::to_string(made.stems_.size() - measured));
+  (void)table;
+}
+
+Issue nothing_usable(const StemMaker& made, const StemTable& table) {
+  std::string text = table.rows.empty() ? "has a header and no rows" : "no row is usable";
+  if (made.rows_dead_ > 0 && made.rows_bad_ == 0) text = "all " + std::to_string(made.rows_dead_) + " stems are dead by their status";
+  return {Severity::error, table.file, table.header_row, {}, std::move(text), "check the delimiter and the columns, or name them with --map"};
+}
+
+}  // namespace
+
+Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& options, std::optional<int> epsg) {
+  if (const auto kept = keep_one_plot(table, options); !kept) return Result<Inventory>::failure(kept.issues);
+  const auto columns = recognise_columns(table, options);
+  if (!columns) return Result<Inventory>::failure(columns.issues);
+  StemMaker made(table, *columns, options);
+  made.run();
+
+  Inventory inventory;
+  inventory.name = inventory_name(table.file);
+  inventory.source.path = table.file;
+  inventory.source.notes = table.notes;
+  inventory.source.notes.insert(inventory.source.notes.end(), columns->notes.begin(), columns->notes.end());
+  Issues issues = table.issues;
+  issues.insert(issues.end(), columns->issues.begin(), columns->issues.end());
+  issues.insert(issues.end(), made.issues_.begin(), made.issues_.end());
+  if (made.stems_.empty()) {
+    issues.insert(issues.begin(), nothing_usable(made, table));
+    return Result<Inventory>::failure(std::move(issues));
+  }
+  note_counts(made, table, inventory);
+  inventory.stems = std::move(made.stems_);
+  inventory.source.epsg = epsg;
+  std::optional<int> geographic = columns->position.scheme == PositionScheme::geographic ? std::optional(wgs84_epsg) : std::nullopt;
+  if (!geographic && epsg && is_geographic_epsg(*epsg)) geographic = epsg;
+  if (!geographic && !epsg && are_degrees_in_disguise(inventory.stems, *columns)) {
+    geographic = wgs84_epsg;
+    issues.push_back({Severity::warning, table.file, table.header_row, table.header[columns->position.first],
+                      "positions look like longitude and latitude in degrees and were read as such", "if that is wrong: --unit x=m"});
+  }
+  if (geographic) {
+    const Issues problems = project_to_utm(inventory.stems, *geographic, inventory.source.epsg, inventory.source.notes);
+    issues.insert(issues.end(), problems.begin(), problems.end());
+  }
+  std::vector<double> x_m, y_m;
+  for (const Stem& s : inventory.stems) x_m.push_back(s.x_m), y_m.push_back(s.y_m);
+  for (Issue& issue : warn_of_overlapping_plots(table, made.rows_, x_m, y_m)) issues.push_back(std::move(issue));
+  set_dates(inventory, table, *columns, options);
+  return {std::move(inventory), std::move(issues)};
+}
+
+}  // namespace stemwise
