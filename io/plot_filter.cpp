@@ -115,7 +115,7 @@ Result<Done> keep_one_plot(StemTable& table, const ReadOptions& options) {
 }
 
 Issues warn_of_overlapping_plots(const StemTable& table, std::span<const std::size_t> rows, std::span<const double> x_m,
-                                 std::span<const double> y_m) {
+                                 std::span<const double> y_m, bool own_centres) {
   const PlotGroups groups = plot_groups(table);
   if (!groups.column || groups.values.size() < 2) return {};
   std::vector<Box> boxes(groups.values.size());
@@ -130,7 +130,7 @@ Issues warn_of_overlapping_plots(const StemTable& table, std::span<const std::si
       overlapping += boxes[a].overlaps(boxes[b]) ? 1 : 0;
     }
   }
-  if (pairs == 0 || 2 * overlapping < pairs) return {};
+  if (!own_centres && (pairs == 0 || 2 * overlapping < pairs)) return {};
   return {{Severity::warning, table.file, 0, table.header[*groups.column],
            "holds " + std::to_string(groups.values.size()) + " plots with coordinates of their own, which lie on top of each other: " + list(groups.values),
            "read one at a time with --plot-column \"" + table.header[*groups.column] + "\" --plot \"" + groups.values.front() + "\""}};

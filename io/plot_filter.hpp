@@ -13,9 +13,9 @@ Result<Done> keep_one_plot(StemTable& table, const ReadOptions& options);
 std::vector<std::size_t> plot_columns_with_several_values(const StemTable& table);
 
 /// A warning when the table holds several plots whose stems lie on top of each other, as plots with coordinates of their
-/// own do. `x_m`, `y_m` belong to `rows` (indices into `table.rows`).
+/// own do. `x_m`, `y_m` belong to `rows` (indices into `table.rows`). `own_centres`: they are known to have.
 Issues warn_of_overlapping_plots(const StemTable& table, std::span<const std::size_t> rows, std::span<const double> x_m,
-                                 std::span<const double> y_m);
+                                 std::span<const double> y_m, bool own_centres);
 
 /// Index of the row's plot by the first such column, 0 when there is none; and how many plots there are.
 struct PlotGroups {

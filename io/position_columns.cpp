@@ -72,6 +72,8 @@ std::vector<Candidate> candidates_by_name(const StemTable& table) {
       for (std::size_t j = 0; j < table.names.size(); ++j) {
         if (j != i && table.names[j].base == pair->partner) add(PositionScheme::cartesian, i, j, pair->rank);
       }
+    } else if (name_rank(table.names[i], K::local_x) && best_of_kind(table, K::quadrat)) {
+      continue;  // only within its quadrat
     } else if (const auto j = partner_by_letter(table, i)) {
       add(PositionScheme::cartesian, i, *j, unknown_pair_rank + static_cast<int>(i));
     }

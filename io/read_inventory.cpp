@@ -4,6 +4,7 @@
 
 #include "io/inventory_date.hpp"
 #include "io/read_frame_folder.hpp"
+#include "io/read_gis.hpp"
 #include "io/read_table.hpp"
 
 namespace stemwise {
@@ -32,7 +33,14 @@ Result<Inventory> read_inventory(const std::string& path, const ReadOptions& opt
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return refused(path, "there is no such file or folder", "check the name");
   if (std::filesystem::is_directory(path, error)) return read_folder(path, options);
-  return read_table(path, options);
+  switch (file_kind(path)) {
+    case FileKind::text: return read_table(path, options);
+    case FileKind::workbook: return read_workbook(path, options);
+    case FileKind::sqlite:
+    case FileKind::gis: return read_gis_points(path, options);
+    case FileKind::unknown_binary: break;
+  }
+  return refused(path, "is neither text nor a format that is read here", "save the stem list as CSV, XLSX, GeoPackage or Shapefile");
 }
 
 }  // namespace stemwise

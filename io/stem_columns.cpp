@@ -75,6 +75,7 @@ void choose_census(const StemTable& table, StemColumns& columns) {
   const std::size_t last = *std::max_element(censuses.begin(), censuses.end(), later);
   columns.census_year = table.names[last].year;
   columns.at[static_cast<std::size_t>(K::dbh)] = last;
+  columns.several_censuses = censuses.size() > 1;
   if (censuses.size() == 1) return;
   std::string all;
   for (const std::size_t c : censuses) all += (all.empty() ? "" : ", ") + table.header[c];
@@ -149,6 +150,8 @@ void choose_by_name(const StemTable& table, StemColumns& columns) {
   if (dbh && share_of_numbers(table, *dbh) == 0.0 && columns[K::circumference]) columns.at[static_cast<std::size_t>(K::dbh)].reset();
   if (columns[K::dbh]) columns.at[static_cast<std::size_t>(K::circumference)].reset();
   choose_id(table, columns);
+  columns.genus = table.find("Genus");
+  if (!columns[K::species] || table.names[*columns[K::species]].base != "species") columns.genus.reset();
   columns.at[static_cast<std::size_t>(K::date)] = choose_date(table);
 }
 
@@ -189,6 +192,7 @@ Result<StemColumns> recognise_columns(const StemTable& table, const ReadOptions&
   columns.position = *position;
   if (const auto it = options.columns.find("dbh"); it != options.columns.end()) {
     columns.census_year = table.names[*table.find(it->second)].year;
+    columns.several_censuses = columns.census_year && census_columns(table).size() > 1;
   } else {
     choose_census(table, columns);
   }

@@ -18,6 +18,8 @@ struct StemColumns {
   double dbh_m = 1.0;            ///< of `dbh` or, divided by pi, of `circumference`
   double dbh_approximation_m = 1.0;
   std::optional<int> census_year;///< where the table has a column per census
+  bool several_censuses = false; ///< then a stem without a diameter in this one was not there
+  std::optional<std::size_t> genus;
   std::vector<std::string> notes;///< "dbh: column DBH, cm (by header)"
   Issues issues;                 ///< guesses as warnings
 

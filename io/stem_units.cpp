@@ -143,7 +143,7 @@ class UnitDecision {
     const double largest = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
     const bool whole = std::all_of(values.begin(), values.end(), [](double v) { return v == std::floor(v); });
     if (auto word = told(K::azimuth, p.first); word && radians_per(word->word) > 0.0) angle = *word;
-    else if (largest > 360.0 && largest <= 400.0) angle = {"gon", "largest " + short_number(largest), true};
+    else if (largest <= 400.0 && quantile(values, 0.98) > 360.0) angle = {"gon", "largest " + short_number(largest), true};
     else if (largest <= 6.3 && !whole && values.size() > 5) angle = {"rad", "largest " + short_number(largest), true};
     columns_.azimuth_rad = radians_per(angle.word);
     note(K::azimuth, p.first, angle);

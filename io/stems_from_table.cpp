@@ -43,6 +43,10 @@ class StemMaker {
         ++rows_dead_;
         continue;
       }
+      if (columns_.several_censuses && !stem.dbh_m) {
+        ++rows_absent_;
+        continue;
+      }
       stems_.push_back(std::move(stem));
       rows_.push_back(r);
     }
@@ -51,7 +55,7 @@ class StemMaker {
   std::vector<Stem> stems_;
   std::vector<std::size_t> rows_;  ///< table row of each stem
   Issues issues_;
-  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_dead_ = 0, without_number_ = 0, unknown_status_ = 0;
+  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_dead_ = 0, rows_absent_ = 0, without_number_ = 0, unknown_status_ = 0;
 
  private:
   void complain(const GridRow& row, std::size_t column, std::string text) {
@@ -63,6 +67,7 @@ class StemMaker {
   /// No cell of a column in use holds anything: a row of another table beside ours, or an empty one.
   bool is_empty(const GridRow& row) const {
     const auto filled = [&](std::size_t column) { return !table_.cell(row, column).empty(); };
+    if (table_.cell(row, columns_.position.first) == table_.header[columns_.position.first]) return true;  // the header once more
     if (filled(columns_.position.first) || filled(columns_.position.second)) return false;
     for (const K kind : {K::dbh, K::circumference, K::id}) {
       if (columns_[kind] && filled(*columns_[kind])) return false;
@@ -190,7 +195,10 @@ class StemMaker {
     stem.source_id = std::string(text(columns_[K::id]));
     if (columns_.tag) stem.source_id = std::string(text(columns_.tag)) + "-" + std::string(text(columns_.stem_tag));
     if (stem.source_id.empty() || stem.source_id == "-") stem.source_id = std::to_string(row.row);
-    if (const auto species = text(columns_[K::species]); !is_missing_mark(species)) stem.species = std::string(species);
+    if (const auto species = text(columns_[K::species]); !is_missing_mark(species)) {
+      const auto genus = text(columns_.genus);
+      stem.species = (genus.empty() ? std::string() : std::string(genus) + " ") + std::string(species);
+    }
     if (const auto status = text(columns_[K::status]); !status.empty()) {
       stem.status = stem_status_from(status, numbers_from_one_);
       unknown_status_ += stem.status == StemStatus::unknown && !is_missing_mark(status) ? 1 : 0;
@@ -244,8 +252,7 @@ class StemMaker {
 Issues project_to_utm(std::vector<Stem>& stems, int from_epsg, std::optional<int>& epsg, std::vector<std::string>& notes) {
   std::vector<double> lon, lat;
   const auto to_degrees = CrsTransform::between(from_epsg, wgs84_epsg);
-  const auto first = CrsTransform::between(from_epsg, wgs84_epsg);
-  if (!to_degrees || !first) return to_degrees.issues;
+  if (!to_degrees) return to_degrees.issues;
   for (const Stem& s : stems) {
     if (const auto p = (*to_degrees)({s.x_m, s.y_m, 0.0})) lon.push_back(p->x()), lat.push_back(p->y());
   }
@@ -295,16 +302,16 @@ void set_dates(Inventory& inventory, const StemTable& table, const StemColumns& 
   }
 }
 
-void note_counts(const StemMaker& made, const StemTable& table, Inventory& inventory) {
+void note_counts(const StemMaker& made, Inventory& inventory) {
   std::string text = "rows: " + std::to_string(made.rows_met_) + ", stems read: " + std::to_string(made.stems_.size());
   if (made.rows_bad_ > 0) text += ", bad rows left out: " + std::to_string(made.rows_bad_);
   if (made.rows_dead_ > 0) text += ", dead stems left out: " + std::to_string(made.rows_dead_);
+  if (made.rows_absent_ > 0) text += ", stems not measured in this census left out: " + std::to_string(made.rows_absent_);
   if (made.unknown_status_ > 0) text += ", stems of unknown status kept: " + std::to_string(made.unknown_status_);
   inventory.source.notes.push_back(text);
   std::size_t measured = 0;
   for (const Stem& s : made.stems_) measured += s.dbh_m ? 1 : 0;
   if (measured < made.stems_.size()) inventory.source.notes.push_back("stems without a measured DBH: " + std::to_string(made.stems_.size() - measured));
-  (void)table;
 }
 
 Issue nothing_usable(const StemMaker& made, const StemTable& table) {
@@ -334,7 +341,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
     issues.insert(issues.begin(), nothing_usable(made, table));
     return Result<Inventory>::failure(std::move(issues));
   }
-  note_counts(made, table, inventory);
+  note_counts(made, inventory);
   inventory.stems = std::move(made.stems_);
   inventory.source.epsg = epsg;
   std::optional<int> geographic = columns->position.scheme == PositionScheme::geographic ? std::optional(wgs84_epsg) : std::nullopt;
@@ -350,7 +357,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   }
   std::vector<double> x_m, y_m;
   for (const Stem& s : inventory.stems) x_m.push_back(s.x_m), y_m.push_back(s.y_m);
-  for (Issue& issue : warn_of_overlapping_plots(table, made.rows_, x_m, y_m)) issues.push_back(std::move(issue));
+  for (Issue& issue : warn_of_overlapping_plots(table, made.rows_, x_m, y_m, columns->position.scheme == PositionScheme::polar)) issues.push_back(std::move(issue));
   set_dates(inventory, table, *columns, options);
   return {std::move(inventory), std::move(issues)};
 }
