@@ -128,10 +128,9 @@ std::vector<float> expected_votes(const std::vector<Voters>& voters, const Grid&
 }
 
 /// Votes that a cell needs to be a peak: the surprise is at most (V - E)^2 / 2E.
-std::vector<float> peak_bounds(const std::vector<float>& expected) {
+std::vector<float> peak_bounds(const std::vector<float>& expected, float least) {
   std::vector<float> bound(expected.size());
-  for (std::size_t k = 0; k < bound.size(); ++k)
-    bound[k] = expected[k] + static_cast<float>(std::sqrt(2.0 * least_surprise * expected[k]));
+  for (std::size_t k = 0; k < bound.size(); ++k) bound[k] = expected[k] + std::sqrt(2.0F * least * expected[k]);
   return bound;
 }
 
@@ -147,27 +146,52 @@ void keep_peak(std::vector<CellPeak>& best, const CellPeak& peak) {
   if (peak < worst) worst = peak;
 }
 
-std::vector<CellPeak> peaks_of_plane(const std::vector<float>& plane, const std::vector<float>& expected, const std::vector<float>& bound, const Grid& grid, int yaw) {
-  constexpr int chunk = 16;
+/// What a cell must exceed, and where: the expectation and the bound that follows from the least surprise asked for.
+struct Chance {
+  std::vector<float> expected, bound;
+  float least = 0.0F;
+};
+
+std::vector<CellPeak> peaks_of_plane(const std::vector<float>& plane, const Chance& chance, const Grid& grid, int yaw) {
   std::vector<CellPeak> best;
+  std::vector<float> four(static_cast<std::size_t>(grid.columns), 0.0F);
+  const auto width = static_cast<std::size_t>(grid.columns) - 1;
   for (int row = 0; row + 1 < grid.rows; ++row) {
     const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
     const float* here = &plane[start];
     const float* below = here + grid.columns;
-    for (int from = 0; from + 1 < grid.columns; from += chunk) {
-      const int to = std::min(from + chunk, grid.columns - 1);
-      int any = 0;
-      for (int x = from; x < to; ++x) any |= (here[x] + here[x + 1]) + (below[x] + below[x + 1]) > bound[start + static_cast<std::size_t>(x)] ? 1 : 0;
-      if (any == 0) continue;
-      for (int x = from; x < to; ++x) {
-        const float v = (here[x] + here[x + 1]) + (below[x] + below[x + 1]), e = expected[start + static_cast<std::size_t>(x)];
-        if (v <= bound[start + static_cast<std::size_t>(x)]) continue;
-        const float surprise = v * std::log(v / e) - v + e;
-        if (surprise > static_cast<float>(least_surprise)) keep_peak(best, {surprise, yaw, x, row});
-      }
+    const float* bound = &chance.bound[start];
+    int any = 0;  // one pass that the compiler can do many cells at a time; most rows end here
+    for (std::size_t x = 0; x < width; ++x) {
+      four[x] = (here[x] + here[x + 1]) + (below[x] + below[x + 1]);
+      any |= four[x] > bound[x] ? 1 : 0;
+    }
+    if (any == 0) continue;
+    for (std::size_t x = 0; x < width; ++x) {
+      if (four[x] <= bound[x]) continue;
+      const float e = chance.expected[start + x], surprise = four[x] * std::log(four[x] / e) - four[x] + e;
+      if (surprise > chance.least) keep_peak(best, {surprise, yaw, static_cast<int>(x), row});
     }
   }
   return best;
+}
+
+/// The expectation, and how surprising a cell must be to be worth a look: less than what chance does in every other plane.
+Chance chance_of(const std::vector<Voters>& voters, const Grid& grid, const VoteSettings& settings, const Progress& progress) {
+  constexpr std::size_t probes = 7;
+  Chance chance{expected_votes(voters, grid, settings, progress), {}, static_cast<float>(least_surprise)};
+  chance.bound = peak_bounds(chance.expected, chance.least);
+  std::vector<float> highest(probes, 0.0F);
+  parallel_for(probes, settings.threads, [&](std::size_t k) {
+    progress.check();
+    std::vector<float> plane(grid.cells());
+    fill_plane(voters, grid, 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.61) / probes, plane);
+    for (const auto& peak : peaks_of_plane(plane, chance, grid, 0)) highest[k] = std::max(highest[k], peak.surprise);
+  });
+  std::nth_element(highest.begin(), highest.begin() + probes / 2, highest.end());
+  chance.least = std::max(chance.least, 0.7F * highest[probes / 2]);
+  chance.bound = peak_bounds(chance.expected, chance.least);
+  return chance;
 }
 
 std::vector<double> yaws_to_try(const Scene& scene, double cell_m, const std::optional<PoseWindow>& window) {
@@ -218,8 +242,7 @@ std::vector<PosePeak> vote_poses(const IndexedList& a, const Scene& scene, const
   if (scene.nodes.size() < 2 || b.size() < 2) return {};
   const Grid grid = grid_for(scene, b, settings.cell_m);
   const auto voters = voters_of(a, scene, b, model, grid);
-  const auto expected = expected_votes(voters, grid, settings, progress);
-  const auto bound = peak_bounds(expected);
+  const Chance chance = chance_of(voters, grid, settings, progress);
   const auto yaws = yaws_to_try(scene, grid.cell_m, settings.window);
   const std::size_t tasks = (yaws.size() + yaws_per_task - 1) / yaws_per_task;
   std::vector<std::vector<CellPeak>> found(tasks);
@@ -228,7 +251,7 @@ std::vector<PosePeak> vote_poses(const IndexedList& a, const Scene& scene, const
     for (std::size_t k = task * yaws_per_task; k < std::min(yaws.size(), (task + 1) * yaws_per_task); ++k) {
       progress.check();
       fill_plane(voters, grid, yaws[k], plane);
-      const auto best = peaks_of_plane(plane, expected, bound, grid, static_cast<int>(k));
+      const auto best = peaks_of_plane(plane, chance, grid, static_cast<int>(k));
       found[task].insert(found[task].end(), best.begin(), best.end());
     }
   });
