@@ -1,0 +1,143 @@
+#include "render/scene/view_renderer.hpp"
+
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gl/compositor.hpp"
+#include "render/number_text.hpp"
+#include "render/overlay.hpp"
+#include "render/scene/disc_layer.hpp"
+#include "render/scene/line_layer.hpp"
+#include "render/scene/stem_layer.hpp"
+#include "render/scene/surfaces.hpp"
+#include "render/scene/vtk_stage.hpp"
+
+namespace stemwise::render {
+namespace {
+
+constexpr double most_supersampled_pixels = 6.0e6;
+constexpr double grid_px = 52.0;  ///< least distance of grid lines, interface pixels
+constexpr std::size_t many_marks = 60'000;
+
+std::string gl_renderer() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name ? name : "";
+}
+
+}  // namespace
+
+struct ViewRenderer::Impl {
+  VtkStage stage;
+  Compositor compositor;
+  DiscLayer discs, ghost_discs;
+  StemLayer stems, ghost_stems;
+  LineLayer grid{false}, map_lines{false}, map_links{false}, ground_grid{true}, space_links{true};
+  bool is_map_stale = true, is_space_stale = true, surfaces_stale = true;
+  ViewKind surfaces_of_kind = ViewKind::map;
+  unsigned int scene_texture = 0;
+  bool is_software = false;
+
+  void fill_map(const SceneModel& scene, const ViewOptions& options) {
+    discs.fill(scene.marks);
+    ghost_discs.fill(scene.ghosts);
+    map_lines.fill(options.coverage ? coverage_outlines(scene) : std::vector<LineSegment>{});
+    map_links.fill(options.links ? link_lines(scene, options.theme, true) : std::vector<LineSegment>{});
+    is_map_stale = false;
+  }
+
+  void fill_space(const SceneModel& scene, const Ground& ground, const ViewOptions& options) {
+    stems.fill(scene.marks);
+    ghost_stems.fill(scene.ghosts);
+    const ThemeColours& colours = theme_colours(options.theme);
+    ground_grid.fill(options.grid ? ground_lines(ground, mix(colours.line, colours.secondary, 0.25).with_alpha(0.8)) : std::vector<LineSegment>{});
+    space_links.fill(options.links ? link_lines(scene, options.theme, false) : std::vector<LineSegment>{});
+    is_space_stale = false;
+  }
+
+  void place_surfaces(const SceneModel& scene, const Ground& ground, const ViewOptions& options) {
+    const ThemeColours& colours = theme_colours(options.theme);
+    stage.clear_surfaces();
+    if (options.kind == ViewKind::map && options.coverage)
+      for (const CoverageShape& shape : scene.coverages) stage.add_surface(surface_of(shape), mix(colours.map, colours.accent_soft, 0.42), false);
+    if (options.kind == ViewKind::space && options.ground && !ground.empty())
+      stage.add_surface(surface_of(ground), options.theme == Theme::dark ? mix(colours.canvas, colours.accent_soft, 0.75) : mix(colours.accent_soft, colours.line, 0.45), true);
+    surfaces_of_kind = options.kind;
+    surfaces_stale = false;
+  }
+
+  void fill_grid(const SceneModel& scene, const Projection& view, const ViewOptions& options) {
+    if (!options.grid) return grid.fill({});
+    const double step_m = nice_step(grid_px * view.px_scale * view.map.metres_per_px);
+    const Eigen::Vector2d a = view.map.world_at({0.0, 0.0}, view.size);
+    const Eigen::Vector2d b = view.map.world_at({double(view.size.width), double(view.size.height)}, view.size);
+    grid.fill(grid_lines(a.cwiseMin(b), a.cwiseMax(b), scene.origin_m.head<2>(), step_m, theme_colours(options.theme).grid));
+  }
+
+  /// Resolution of the drawn scene against the picture: less while dragging where the processor draws, more at rest in 3D.
+  double resolution(const SceneModel& scene, const Projection& view, const ViewOptions& options) const {
+    const double pixels = static_cast<double>(view.size.width) * view.size.height;
+    if (options.kind == ViewKind::map) return options.moving && is_software && (scene.marks.size() > many_marks || pixels > 1.6e6) ? 0.5 : 1.0;
+    if (options.moving) return is_software ? 0.5 : 1.0;
+    return 4.0 * pixels <= most_supersampled_pixels ? 2.0 : 1.0;
+  }
+
+  std::vector<Layer*> layers(const SceneModel& scene, const ViewOptions& options) {
+    if (options.kind == ViewKind::space) return {&ground_grid, &stems, &ghost_stems, &space_links};
+    std::vector<Layer*> shown{&grid, &map_lines, &discs, &ghost_discs};
+    if (!options.moving || !is_software || scene.links.size() < many_marks / 3) shown.push_back(&map_links);
+    return shown;
+  }
+};
+
+ViewRenderer::ViewRenderer() {
+  glewExperimental = GL_TRUE;
+  glewInit();
+  impl_ = std::make_unique<Impl>();
+  const std::string name = gl_renderer();
+  impl_->is_software = name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+}
+
+ViewRenderer::~ViewRenderer() = default;
+
+void ViewRenderer::forget_scene() { impl_->is_map_stale = impl_->is_space_stale = impl_->surfaces_stale = true; }
+
+void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, const Projection& projection, const ViewOptions& options) {
+  const bool is_map = options.kind == ViewKind::map;
+  if (is_map && impl_->is_map_stale) impl_->fill_map(scene, options);
+  if (!is_map && impl_->is_space_stale) impl_->fill_space(scene, ground, options);
+  if (impl_->surfaces_stale || impl_->surfaces_of_kind != options.kind) impl_->place_surfaces(scene, ground, options);
+  const double resolution = impl_->resolution(scene, projection, options);
+  const PixelSize size{std::max(1, static_cast<int>(std::lround(projection.size.width * resolution))),
+                       std::max(1, static_cast<int>(std::lround(projection.size.height * resolution)))};
+  FrameView view{.size = size, .px_scale = projection.px_scale * resolution, .is_moving = options.moving, .theme = options.theme};
+  if (is_map) {
+    impl_->fill_grid(scene, projection, options);
+    view.px_per_m = resolution / projection.map.metres_per_px;
+    view.dbh_exaggeration = projection.dbh_exaggeration;
+    impl_->stage.look_down(projection.map, projection.size);
+  } else {
+    const double radius_m = 0.5 * (scene.high_m - scene.low_m).norm() + 30.0;
+    view.eye_m = projection.orbit.eye_m().cast<float>();
+    view.forward = projection.orbit.forward().cast<float>();
+    view.focal_px = projection.orbit.focal_px(size);
+    view.px_per_m = 1.0;
+    view.fog_start_m = projection.orbit.distance_m;
+    view.fog_end_m = projection.orbit.distance_m + 2.5 * radius_m;
+    impl_->stage.look(projection.orbit, projection.size, radius_m);
+  }
+  impl_->stage.set_layers(impl_->layers(scene, options));
+  impl_->scene_texture = impl_->stage.render(size, view, theme_colours(options.theme).map);
+}
+
+void ViewRenderer::draw_overlay(const SceneModel& scene, const Projection& projection, const ViewOptions& options) {
+  impl_->compositor.set_overlay(paint_overlay(scene, projection, options));
+}
+
+std::uint32_t ViewRenderer::compose(PixelSize size) { return impl_->compositor.compose(impl_->scene_texture, size); }
+std::uint32_t ViewRenderer::texture() const { return impl_->compositor.texture(); }
+Image ViewRenderer::read() const { return impl_->compositor.read(); }
+std::string ViewRenderer::renderer_name() const { return gl_renderer(); }
+
+}  // namespace stemwise::render

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.hpp"
+#include "core/geometry/rigid_transform.hpp"
+#include "render/color_by.hpp"
+#include "render/palette.hpp"
+
+namespace stemwise::render {
+
+enum class ViewKind { map, space };  ///< "Map" and "3D"
+
+/// An inventory shown a second time, hollow, at another pose: a proposal, the second-best pose, before an alignment.
+struct Ghost {
+  InventoryId inventory;
+  RigidTransform reference_from_inventory;
+  bool operator==(const Ghost&) const = default;
+};
+
+/// What is shown and how; a plain value that the window keeps.
+struct ViewOptions {
+  ViewKind kind = ViewKind::map;
+  ColorBy color_by = ColorBy::fate;
+  Theme theme = Theme::light;
+  std::vector<InventoryId> hidden;  ///< all others are shown
+  bool links = true;                ///< lines between the sightings of one tree
+  bool labels = true;               ///< tree ids, thinning out with the scale
+  bool coverage = true;
+  bool grid = true;
+  bool ground = true;               ///< 3D
+  bool legend = true;
+  bool scale_bar = true;            ///< map
+  bool north_arrow = true;
+  std::string title;                ///< top left, for pictures that leave the program; empty in the window
+  std::vector<TreeId> selected;
+  std::vector<StemRef> selected_stems;  ///< of inventories without a place: they have no tree yet
+  TreeId hovered;
+  std::optional<Ghost> ghost;
+  bool moving = false;  ///< the camera is being dragged: less detail, so that it stays smooth
+  bool operator==(const ViewOptions&) const = default;
+};
+
+}  // namespace stemwise::render
