@@ -1,0 +1,268 @@
+#include "render/paint/chart_canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "render/number_text.hpp"
+
+namespace stemwise::render {
+namespace {
+
+constexpr double tick_size = 11.5;
+
+/// One chart on one canvas; lengths in interface pixels.
+class ChartPainter {
+ public:
+  ChartPainter(const Canvas& canvas, const ChartModel& chart, double width, double height, const ChartStyle& style)
+      : canvas_(canvas), chart_(chart), style_(style), colours_(theme_colours(style.theme)), width_(width), height_(height),
+        selected_(style.selected.begin(), style.selected.end()) {}
+
+  ChartLayout paint() {
+    if (!style_.is_transparent) {
+      cairo_rectangle(canvas_.cairo(), 0.0, 0.0, width_, height_);
+      canvas_.fill(colours_.panel);
+    }
+    place();
+    heading();
+    if (!chart_.empty_text.empty()) {
+      canvas_.text(0.5 * width_, 0.5 * height_, chart_.empty_text, {13.0, Weight::regular, colours_.secondary, Align::centre});
+      return layout_;
+    }
+    bands();
+    grid();
+    clip(true);
+    bars();
+    rules();
+    points();
+    clip(false);
+    axes();
+    labels();
+    return layout_;
+  }
+
+ private:
+  TextStyle tick_style(Align align) const { return {tick_size, Weight::regular, colours_.secondary, align}; }
+  double x_px(double value) const { return layout_.pixel_of({value, 0.0}).x(); }
+  double y_px(double value) const { return layout_.pixel_of({0.0, value}).y(); }
+
+  std::vector<double> ticks_of(const ChartAxis& axis, double length_px, double px_per_tick) const {
+    if (!axis.ticks.empty()) return axis.ticks;
+    const bool is_count = axis.unit.empty();
+    double step = nice_step((axis.high - axis.low) * px_per_tick / std::max(40.0, length_px));
+    if (is_count) step = std::max(1.0, step);
+    std::vector<double> ticks;
+    for (double at = std::ceil(axis.low / step - 1e-9) * step; at <= axis.high + 1e-9 * step; at += step) ticks.push_back(at);
+    return ticks;
+  }
+
+  std::string tick_text(const ChartAxis& axis, const std::vector<double>& ticks, std::size_t i) const {
+    if (i < axis.tick_labels.size()) return axis.tick_labels[i];
+    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+    return axis.unit.empty() ? grouped_text(std::llround(ticks[i])) : number_text(ticks[i], decimals_of(step));
+  }
+
+  bool has_legend() const { return chart_.bars.size() > 1 || (chart_.points.size() > 1); }
+
+  void place() {
+    const bool has_heading = style_.has_title && !chart_.title.empty();
+    double top = has_heading ? 34.0 : 10.0;
+    if (!chart_.note.empty()) top += has_heading ? 18.0 : 22.0;
+    if (has_legend()) top += 22.0;
+    if (std::any_of(chart_.rules.begin(), chart_.rules.end(), [](const ChartRule& rule) { return rule.is_on_x && !rule.label.empty(); })) top += 16.0;
+    const std::vector<double> ticks = ticks_of(chart_.y, height_ - top - 40.0, 46.0);
+    double widest = 10.0;
+    for (std::size_t i = 0; i < ticks.size(); ++i) widest = std::max(widest, canvas_.text_width(tick_text(chart_.y, ticks, i), tick_style(Align::right)));
+    const double bottom = chart_.x.title.empty() ? 26.0 : 44.0;
+    layout_.low_px = {16.0 + widest + (chart_.y.title.empty() ? 0.0 : 20.0), top};
+    layout_.high_px = {width_ - 16.0, std::max(top + 20.0, height_ - bottom)};
+    layout_.low = {chart_.x.low, chart_.y.low};
+    layout_.high = {chart_.x.high, chart_.y.high};
+  }
+
+  void heading() const {
+    double y = 20.0;
+    if (style_.has_title && !chart_.title.empty()) {
+      canvas_.text(16.0, y, chart_.title, {14.0, Weight::semibold, colours_.text, Align::left});
+      y += 20.0;
+    }
+    if (!chart_.note.empty()) {
+      canvas_.text(16.0, y, chart_.note, {11.5, Weight::regular, colours_.secondary, Align::left});
+      y += 20.0;
+    }
+    if (has_legend()) key(16.0, y + 2.0);
+  }
+
+  void key(double x, double y) const {
+    const auto entry = [&](const std::string& name, Rgba colour) {
+      canvas_.circle(x + 5.0, y, 4.5);
+      canvas_.fill(colour);
+      canvas_.text(x + 15.0, y, name, {11.5, Weight::regular, colours_.text, Align::left});
+      x += 15.0 + canvas_.text_width(name, {11.5, Weight::regular, colours_.text, Align::left}) + 16.0;
+    };
+    for (const ChartBars& series : chart_.bars) entry(series.name, chart_colour(series.colour, style_.theme));
+    for (const ChartPoints& series : chart_.points) entry(series.name, chart_colour(series.colour, style_.theme));
+  }
+
+  void clip(bool is_on) const {
+    cairo_t* cr = canvas_.cairo();
+    if (!is_on) return cairo_restore(cr);
+    cairo_save(cr);
+    cairo_rectangle(cr, layout_.low_px.x(), layout_.low_px.y() - 1.0, layout_.high_px.x() - layout_.low_px.x(), layout_.high_px.y() - layout_.low_px.y() + 1.0);
+    cairo_clip(cr);
+  }
+
+  void bands() const {
+    for (const ChartBand& band : chart_.bands) {
+      const double low = std::clamp(band.low, band.is_on_x ? chart_.x.low : chart_.y.low, band.is_on_x ? chart_.x.high : chart_.y.high);
+      const double high = std::clamp(band.high, band.is_on_x ? chart_.x.low : chart_.y.low, band.is_on_x ? chart_.x.high : chart_.y.high);
+      if (band.is_on_x) {
+        cairo_rectangle(canvas_.cairo(), x_px(low), layout_.low_px.y(), x_px(high) - x_px(low), layout_.high_px.y() - layout_.low_px.y());
+      } else {
+        cairo_rectangle(canvas_.cairo(), layout_.low_px.x(), y_px(high), layout_.high_px.x() - layout_.low_px.x(), y_px(low) - y_px(high));
+      }
+      const bool is_neutral = band.colour.ink == ChartInk::within_error;
+      canvas_.fill(is_neutral ? mix(colours_.panel, colours_.line, 0.55) : colours_.accent_soft);
+    }
+  }
+
+  void grid() const {
+    for (const double tick : ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), 46.0)) {
+      const double y = std::round(y_px(tick)) + 0.5;
+      canvas_.line(layout_.low_px.x(), y, layout_.high_px.x(), y, colours_.line.with_alpha(0.8), 1.0);
+    }
+  }
+
+  bool is_selected(const ChartBar& bar) const {
+    return !selected_.empty() && std::any_of(bar.trees.begin(), bar.trees.end(), [this](TreeId tree) { return selected_.contains(tree); });
+  }
+
+  void bars() const {
+    for (const ChartBars& series : chart_.bars) {
+      const Rgba colour = chart_colour(series.colour, style_.theme);
+      for (const ChartBar& bar : series.bars) {
+        if (bar.value <= 0.0) continue;
+        const double gap = chart_.bars.size() > 1 ? 0.5 : 1.0;
+        const double left = x_px(bar.x_low) + gap, right = std::max(left + 0.8, x_px(bar.x_high) - gap), top = y_px(bar.value);
+        cairo_rectangle(canvas_.cairo(), left, top, right - left, layout_.high_px.y() - top);
+        canvas_.fill(colour.with_alpha(chart_.bars.size() > 1 ? 0.88 : 0.62));
+        if (!is_selected(bar)) continue;
+        cairo_rectangle(canvas_.cairo(), left, top, right - left, layout_.high_px.y() - top);
+        canvas_.stroke(colours_.text, 2.0);
+      }
+    }
+  }
+
+  void rules() const {
+    for (const ChartRule& rule : chart_.rules) {
+      const Rgba colour = rule.is_strong ? colours_.text : colours_.secondary;
+      const double width = rule.is_strong ? 1.5 : 1.0;
+      if (rule.is_on_x) {
+        canvas_.line(x_px(rule.at), layout_.low_px.y(), x_px(rule.at), layout_.high_px.y(), colour, width);
+      } else {
+        canvas_.line(layout_.low_px.x(), y_px(rule.at), layout_.high_px.x(), y_px(rule.at), colour, width);
+      }
+    }
+  }
+
+  void points() const {
+    for (const ChartPoints& series : chart_.points) {
+      const Rgba colour = chart_colour(series.colour, style_.theme);
+      if (series.is_joined) {
+        joined(series, colour);
+        continue;
+      }
+      const double radius = series.points.size() > 3000 ? 1.5 : series.points.size() > 400 ? 2.1 : 2.8;
+      for (const ChartPoint& point : series.points) {
+        canvas_.circle(x_px(point.x), y_px(point.y), radius);
+        canvas_.fill(colour.with_alpha(0.55));
+      }
+    }
+    for (const ChartPoints& series : chart_.points)
+      for (const ChartPoint& point : series.points)
+        if (!series.is_joined && selected_.contains(point.tree)) {
+          canvas_.circle(x_px(point.x), y_px(point.y), 5.0);
+          canvas_.stroke(colours_.text, 1.8);
+        }
+  }
+
+  void joined(const ChartPoints& series, Rgba colour) const {
+    cairo_t* cr = canvas_.cairo();
+    for (const ChartPoint& point : series.points)
+      if (point.y_error > 0.0) canvas_.line(x_px(point.x), y_px(point.y - point.y_error), x_px(point.x), y_px(point.y + point.y_error), colour, 1.6);
+    for (const ChartPoint& point : series.points) cairo_line_to(cr, x_px(point.x), y_px(point.y));
+    canvas_.stroke(colour, 1.8);
+    for (const ChartPoint& point : series.points) {
+      canvas_.circle(x_px(point.x), y_px(point.y), 4.5);
+      canvas_.fill(colours_.panel);
+      canvas_.circle(x_px(point.x), y_px(point.y), 4.5);
+      canvas_.stroke(colour, 1.8);
+    }
+  }
+
+  void axes() const {
+    const std::vector<double> xs = ticks_of(chart_.x, layout_.high_px.x() - layout_.low_px.x(), 72.0);
+    for (std::size_t i = 0; i < xs.size(); ++i)
+      canvas_.text(x_px(xs[i]), layout_.high_px.y() + 14.0, tick_text(chart_.x, xs, i), tick_style(Align::centre));
+    const std::vector<double> ys = ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), 46.0);
+    for (std::size_t i = 0; i < ys.size(); ++i) canvas_.text(layout_.low_px.x() - 8.0, y_px(ys[i]), tick_text(chart_.y, ys, i), tick_style(Align::right));
+    canvas_.line(layout_.low_px.x(), layout_.high_px.y() + 0.5, layout_.high_px.x(), layout_.high_px.y() + 0.5, colours_.faint, 1.0);
+    const auto with_unit = [](const ChartAxis& axis) { return axis.unit.empty() ? axis.title : axis.title + ", " + axis.unit; };
+    if (!chart_.x.title.empty())
+      canvas_.text(0.5 * (layout_.low_px.x() + layout_.high_px.x()), layout_.high_px.y() + 33.0, with_unit(chart_.x), tick_style(Align::centre));
+    if (chart_.y.title.empty()) return;
+    cairo_t* cr = canvas_.cairo();
+    cairo_save(cr);
+    cairo_translate(cr, 14.0, 0.5 * (layout_.low_px.y() + layout_.high_px.y()));
+    cairo_rotate(cr, -1.5707963267948966);
+    canvas_.text(0.0, 0.0, with_unit(chart_.y), tick_style(Align::centre));
+    cairo_restore(cr);
+  }
+
+  /// Words at rules stand above the plot, words of bands inside it at the edge: they never cover bars' tops.
+  void labels() const {
+    for (const ChartRule& rule : chart_.rules)
+      if (!rule.label.empty() && rule.is_on_x) {
+        const double half = 0.5 * canvas_.text_width(rule.label, {11.5, Weight::semibold, colours_.text, Align::centre});
+        const double x = std::clamp(x_px(rule.at), layout_.low_px.x() + half, layout_.high_px.x() - half);
+        canvas_.text(x, layout_.low_px.y() - 9.0, rule.label, {11.5, Weight::semibold, colours_.text, Align::centre});
+      }
+    for (const ChartBand& band : chart_.bands) {
+      const TextStyle words{11.0, Weight::regular, colours_.secondary, Align::right, (band.is_on_x ? colours_.accent_soft : colours_.panel).with_alpha(0.7)};
+      if (band.is_on_x) {
+        canvas_.text(x_px(std::min(band.high, chart_.x.high)) - 5.0, layout_.low_px.y() + 10.0, band.label, words);
+      } else {
+        canvas_.text(layout_.high_px.x() - 6.0, y_px(std::min(band.high, chart_.y.high)) + 9.0, band.label, words);
+      }
+    }
+  }
+
+  const Canvas& canvas_;
+  const ChartModel& chart_;
+  const ChartStyle& style_;
+  const ThemeColours& colours_;
+  double width_, height_;
+  std::unordered_set<TreeId> selected_;
+  ChartLayout layout_;
+};
+
+}  // namespace
+
+Rgba chart_colour(const ChartColour& colour, Theme theme) {
+  switch (colour.ink) {
+    case ChartInk::accent: return theme_colours(theme).accent;
+    case ChartInk::survey: return survey_colour(colour.survey);
+    case ChartInk::warning: return theme_colours(theme).warning;
+    case ChartInk::secondary: return theme_colours(theme).secondary;
+    case ChartInk::grew: return purple_white_orange(0.85, theme);
+    case ChartInk::shrank: return purple_white_orange(-0.85, theme);
+    case ChartInk::within_error: return neutral_grey(theme);
+  }
+  return theme_colours(theme).accent;
+}
+
+ChartLayout paint_chart_on(const Canvas& canvas, const ChartModel& chart, double width, double height, const ChartStyle& style) {
+  return ChartPainter(canvas, chart, width, height, style).paint();
+}
+
+}  // namespace stemwise::render
