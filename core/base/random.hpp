@@ -12,14 +12,10 @@ class Random {
 
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
-      : state_(seed * 0x9E3779B97F4A7C15ULL + stream * 0xD1B54A32D192ED03ULL + 0x632BE59BD9B4E019ULL) {}
+      // Mixed, not multiplied by the step: seeds that are steps apart would give the same numbers, only shifted.
+      : state_(mixed(seed + 0x632BE59BD9B4E019ULL) ^ mixed(stream + 0xD1B54A32D192ED03ULL) * 3) {}
 
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ULL);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t next() { return mixed(state_ += 0x9E3779B97F4A7C15ULL); }
   /// In [0, 1).
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
@@ -39,6 +35,12 @@ class Random {
   double normal(double mean, double sd) { return mean + sd * normal(); }
 
  private:
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    return z ^ (z >> 31);
+  }
+
   std::uint64_t state_;
   double spare_ = 0.0;
   bool has_spare_ = false;

@@ -17,6 +17,7 @@ struct Candidate {
   double score = 0.0;                   ///< overlap score of the method (eq. 12, or the default method's form)
   int pairs = 0;                        ///< matched trees |M|
   int votes = 0;                        ///< what retrieval gave it; 0 when it was proposed by a neighbour's pose
+  double evidence = 0.0;                ///< chance_evidence: above 0 the pairs are not chance (of the chosen one only)
   double displacement_m = 0.0;          ///< planar |t|
   RigidTransform candidate_from_query;  ///< all six degrees of freedom, in the scenes' own (not aligned) frames
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/treeloc/chance_evidence.hpp"
+
 namespace stemwise::treeloc {
 namespace {
 
@@ -101,14 +103,15 @@ private:
   Candidate candidate_of(const Verified& v, const Scene& query) {
     matcher_.pair(query_trees_.trees(0), db_.trees.trees(v.scene), v.pose, db_.settings.match.fine_m);
     const RefinedPose refined = refine_pose(query, db_.scenes[v.scene], matcher_.pairs(), v.pose, db_.settings.refine);
-    const double displacement_m = refined.planar.displacement_m();
-    return {v.scene,
-            overlap_score_linear(v.pairs, query.trees.size(), db_.scenes[v.scene].trees.size(), displacement_m,
-                                 db_.settings.verify.penalty_m),
-            v.pairs,
-            v.votes,
-            displacement_m,
-            refined.candidate_from_query};
+    const PlanarTrees in_query = query_trees_.trees(0), in_scene = db_.trees.trees(v.scene);
+    Candidate c;
+    c.scene = v.scene;
+    c.pairs = v.pairs;
+    c.votes = v.votes;
+    c.displacement_m = refined.planar.displacement_m();
+    c.score = overlap_score_linear(v.pairs, in_query.size(), in_scene.size(), c.displacement_m, db_.settings.verify.penalty_m);
+    c.candidate_from_query = refined.candidate_from_query;
+    return c;
   }
 
   Localization answer(const Scene& query) {
@@ -123,6 +126,10 @@ private:
     }
     std::stable_sort(found.candidates.begin() + 1, found.candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    Candidate& chosen = found.candidates.front();
+    chosen.evidence =
+        chance_evidence(chosen.pairs, query_trees_.trees(0), db_.trees.trees(chosen.scene), db_.settings.match.fine_m,
+                        db_.settings.match.tau_dbh_m, db_.settings.vote.gate_m, db_.scenes.size());
     if (db_.settings.fuse.enabled) fuse(found.candidates);
     return found;
   }
