@@ -7,7 +7,7 @@
 namespace stemwise {
 namespace {
 
-void add_read_options(CLI::App& command, ReadOptions& read) {
+void add_read_options(CLI::App& command, ReadOverrides& read) {
   const auto add = [&command](const char* name, std::vector<std::string>& into, const char* what) {
     command.add_option(name, into, what)->allow_extra_args(false)->group("Reading (a value may begin with NAME: for one inventory)");
   };

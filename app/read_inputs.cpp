@@ -2,12 +2,84 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
-#include "io/read_frame_folder.hpp"
+#include "io/read_inventory.hpp"
 
 namespace stemwise {
+namespace {
+
 namespace fs = std::filesystem;
+
+/// An override split into whom it is for (empty: all) and what it says.
+struct Targeted {
+  std::string name;
+  std::string text;
+};
+
+bool is_among(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// "2023:x=Easting". Behind `before` ("=" for --map and --unit) a colon belongs to the value.
+Targeted split_target(const std::string& given, const std::vector<std::string>& names) {
+  const auto colon = given.find(':');
+  if (colon == std::string::npos || colon > given.find('=')) return {"", given};
+  const std::string name = given.substr(0, colon);
+  if (!is_among(name, names) && given.find('=') == std::string::npos) return {"", given};
+  return {name, given.substr(colon + 1)};
+}
+
+Issue usage_error(const std::string& text, const std::string& help = "") { return {Severity::error, "", 0, "", text, help}; }
+
+class OverrideReader {
+ public:
+  OverrideReader(const std::vector<std::string>& names, Issues& issues) : names_(names), issues_(issues) {}
+
+  /// Calls `take(text)` for every override that is meant for `name`.
+  template <class Take>
+  void each(const std::vector<std::string>& given, const std::string& name, Take take) const {
+    for (const std::string& one : given) {
+      const Targeted target = split_target(one, names_);
+      if (target.name.empty() || target.name == name) take(target.text);
+    }
+  }
+  /// Overrides that name an inventory there is not, or lack their "=".
+  void check(const char* option, const std::vector<std::string>& given, bool pairs) const {
+    for (const std::string& one : given) {
+      const Targeted target = split_target(one, names_);
+      if (!target.name.empty() && !is_among(target.name, names_)) {
+        issues_.push_back(usage_error(std::string(option) + " " + one + ": there is no inventory named " + target.name));
+      }
+      const auto sign = target.text.find('=');
+      if (pairs && (sign == std::string::npos || sign == 0 || sign + 1 == target.text.size())) {
+        issues_.push_back(usage_error(std::string(option) + " " + one + ": expected KEY=VALUE"));
+      }
+    }
+  }
+
+ private:
+  const std::vector<std::string>& names_;
+  Issues& issues_;
+};
+
+ReadOptions options_for(const std::string& name, const ReadOverrides& overrides, const OverrideReader& reader, Issues& issues) {
+  ReadOptions options;
+  const auto pair_into = [](std::map<std::string, std::string>& into) {
+    return [&into](const std::string& text) { into[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1); };
+  };
+  reader.each(overrides.map, name, pair_into(options.columns));
+  reader.each(overrides.unit, name, pair_into(options.units));
+  reader.each(overrides.sheet, name, [&](const std::string& text) { options.sheet = text; });
+  reader.each(overrides.plot_column, name, [&](const std::string& text) { options.plot_column = text; });
+  reader.each(overrides.plot, name, [&](const std::string& text) { options.plot = text; });
+  reader.each(overrides.date, name, [&](const std::string& text) {
+    options.date = parse_date(text);
+    if (!options.date) issues.push_back(usage_error("--date " + text + " is not a date", "for example 2023-05-04"));
+  });
+  return options;
+}
+
+}  // namespace
 
 std::string inventory_name(const std::string& path) {
   const fs::path clean = fs::absolute(path).lexically_normal();
@@ -21,21 +93,29 @@ std::vector<std::string> inventory_names(const std::vector<std::string>& paths) 
   for (const std::string& path : paths) {
     const std::string base = inventory_name(path);
     std::string name = base;
-    for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n) name = base + "-" + std::to_string(n);
+    for (int n = 2; is_among(name, names); ++n) name = base + "-" + std::to_string(n);
     names.push_back(name);
   }
   return names;
 }
 
-ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOptions&, Session& session) {
+ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& overrides, Session& session) {
   ReadInputs read;
   const std::vector<std::string> names = inventory_names(paths);
+  const OverrideReader reader(names, read.usage);
+  reader.check("--map", overrides.map, true);
+  reader.check("--unit", overrides.unit, true);
+  std::vector<ReadOptions> options;
+  for (const std::string& name : names) options.push_back(options_for(name, overrides, reader, read.usage));
+  if (has_error(read.usage)) return read;
   const Progress progress = session.progress();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     progress.at(static_cast<double>(i) / static_cast<double>(paths.size()), "Reading " + names[i]);
-    ReadInput input{paths[i], names[i], read_frame_folder(paths[i], session.common.threads)};
+    options[i].threads = session.common.threads;
+    ReadInput input{paths[i], names[i], read_inventory(paths[i], options[i])};
     if (input.inventory) input.inventory->name = names[i];
     read.inputs.push_back(std::move(input));
+    progress.check();
   }
   session.console.end_progress();
   return read;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "app/read_options.hpp"
+#include "app/read_overrides.hpp"
 #include "app/session.hpp"
 #include "core/base/result.hpp"
 #include "core/forest/inventory.hpp"
@@ -27,6 +27,6 @@ struct ReadInputs {
   std::vector<ReadInput> inputs;
   Issues usage;
 };
-ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOptions& options, Session& session);
+ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& options, Session& session);
 
 }  // namespace stemwise

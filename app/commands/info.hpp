@@ -2,14 +2,14 @@
 #include <string>
 #include <vector>
 
-#include "app/read_options.hpp"
+#include "app/read_overrides.hpp"
 #include "app/session.hpp"
 
 namespace stemwise {
 
 struct InfoOptions {
   std::vector<std::string> paths;
-  ReadOptions read;
+  ReadOverrides read;
 };
 
 /// `stemwise info PATH...`: what was recognised in each, and every problem. unusable_input when one of them cannot be used.

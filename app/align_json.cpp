@@ -1,0 +1,130 @@
+#include "app/align_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace stemwise {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array dof_words{"x", "y", "yaw", "z", "roll", "pitch"};
+
+std::string name_of(const ProjectState& state, InventoryId id) {
+  const Inventory* inventory = state.find(id);
+  return inventory == nullptr ? "" : inventory->name;
+}
+
+ordered_json matrix_json(const RigidTransform& transform) {
+  const Eigen::Matrix4d m = transform.matrix();
+  ordered_json rows = ordered_json::array();
+  for (int r = 0; r < 4; ++r) rows.push_back({m(r, 0), m(r, 1), m(r, 2), m(r, 3)});
+  return rows;
+}
+
+ordered_json observed_json(const ObservedDofs& observed) {
+  ordered_json words = ordered_json::array();
+  for (std::size_t i = 0; i < dof_words.size(); ++i) {
+    if (observed.seen[i]) words.push_back(dof_words[i]);
+  }
+  return words;
+}
+
+ordered_json acceptance_json(const Acceptance& a) {
+  return {{"log_likelihood_ratio", a.log_likelihood_ratio}, {"log_poses_tried", a.log_poses_tried}, {"margin", a.margin},
+          {"second_best", a.second_best}, {"mirror", a.mirror}, {"probability", a.probability}};
+}
+
+ordered_json inventory_json(const Inventory& inventory, const InventoryAlignment& alignment) {
+  const bool reference = alignment.status == AlignmentStatus::reference;
+  const bool has_pose = reference || alignment.status == AlignmentStatus::aligned || alignment.status == AlignmentStatus::probable;
+  ordered_json json{{"name", inventory.name}};
+  json["date"] = inventory.date ? ordered_json(to_string(*inventory.date)) : ordered_json();
+  json["trees"] = inventory.stems.size();
+  json["status"] = to_string(alignment.status);
+  json["reason"] = alignment.reason.empty() ? ordered_json() : ordered_json(alignment.reason);
+  json["T_reference_from_inventory"] = has_pose ? matrix_json(alignment.reference_from_inventory) : ordered_json();
+  json["observed"] = observed_json(alignment.observed);
+  json["overlap"] = alignment.overlap;
+  json["position_noise_m"] = alignment.position_noise_m;
+  json["acceptance"] = reference ? ordered_json() : acceptance_json(alignment.acceptance);
+  json["matched"] = alignment.matched;
+  json["residual_rms_m"] = alignment.residual_rms_m;
+  return json;
+}
+
+ordered_json trees_json(const Tables& tables) {
+  ordered_json fates = ordered_json::object();
+  for (std::size_t i = 0; i < fate_count; ++i) fates[to_string(static_cast<Fate>(i))] = tables.trees_by_fate[i];
+  return {{"unique", tables.trees.size()}, {"by_fate", fates}};
+}
+
+double cm(double m) { return m * 100.0; }
+
+ordered_json growth_json(const ProjectState& state, const GrowthRow& row) {
+  return {{"from", name_of(state, row.from)},
+          {"to", name_of(state, row.to)},
+          {"years", row.years ? ordered_json(*row.years) : ordered_json()},
+          {"n", row.n},
+          {"median_dbh_change_cm", cm(row.median_change_m)},
+          {"ci95_cm", {cm(row.ci95_m[0]), cm(row.ci95_m[1])}},
+          {"p20_p80_cm", {cm(row.p20_p80_m[0]), cm(row.p20_p80_m[1])}},
+          {"dbh_error_cm", cm(row.dbh_error_m)}};
+}
+
+ordered_json timing_json(const AlignTiming& t) {
+  return {{"read", t.read_s}, {"describe", t.describe_s}, {"retrieve", t.retrieve_s}, {"verify", t.verify_s},
+          {"optimise", t.optimise_s}, {"match", t.match_s}, {"total", t.total_s}};
+}
+
+std::string survey_line(const Inventory& inventory, const InventoryAlignment& a) {
+  char text[256];
+  if (a.status == AlignmentStatus::reference) {
+    std::snprintf(text, sizeof text, "%s: reference, %zu trees", inventory.name.c_str(), inventory.stems.size());
+    return text;
+  }
+  std::snprintf(text, sizeof text, "%s: %s, %d of %zu trees matched, residual %.1f cm, overlap %.2f, margin %.0f", inventory.name.c_str(),
+                to_string(a.status), a.matched, inventory.stems.size(), a.residual_rms_m * 100.0, a.overlap, a.acceptance.margin);
+  return text + (a.reason.empty() ? std::string() : ": " + a.reason);
+}
+
+}  // namespace
+
+std::string align_json(const ProjectState& state, const Tables& tables, const AlignTiming& timing, std::uint64_t seed) {
+  ordered_json json{{"reference", name_of(state, state.reference)}, {"seed", seed}};
+  json["inventories"] = ordered_json::array();
+  for (const auto& inventory : state.inventories) {
+    const auto found = state.alignments.find(inventory->id);
+    json["inventories"].push_back(inventory_json(*inventory, found == state.alignments.end() ? InventoryAlignment{} : found->second));
+  }
+  json["pairs"] = ordered_json::array();
+  for (const PairReport& pair : state.pairs) {
+    json["pairs"].push_back({{"a", name_of(state, pair.a)}, {"b", name_of(state, pair.b)}, {"constraints", pair.constraints}, {"accepted", pair.accepted}});
+  }
+  json["trees"] = trees_json(tables);
+  json["growth"] = ordered_json::array();
+  for (const GrowthRow& row : tables.growth) json["growth"].push_back(growth_json(state, row));
+  json["timing_s"] = timing_json(timing);
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string align_text(const ProjectState& state, const Tables& tables) {
+  std::string text;
+  for (const auto& inventory : state.inventories) {
+    const auto found = state.alignments.find(inventory->id);
+    if (found != state.alignments.end()) text += survey_line(*inventory, found->second) + "\n";
+  }
+  text += std::to_string(tables.trees.size()) + " trees";
+  for (std::size_t i = 0; i < fate_count; ++i) {
+    if (tables.trees_by_fate[i] == 0) continue;
+    std::string fate = to_string(static_cast<Fate>(i));
+    std::replace(fate.begin(), fate.end(), '_', ' ');
+    text += ", " + std::to_string(tables.trees_by_fate[i]) + " " + fate;
+  }
+  return text;
+}
+
+}  // namespace stemwise

@@ -1,0 +1,203 @@
+#include "core/survey/report_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace stemwise {
+namespace {
+
+const char* area_source(CoverageSource source) {
+  switch (source) {
+    case CoverageSource::stems: return "hull of the stems";
+    case CoverageSource::frames: return "what the frames saw";
+    case CoverageSource::drawn: return "drawn";
+  }
+  return "";
+}
+
+double basal_area_sq_m(double dbh_m) { return std::numbers::pi / 4.0 * dbh_m * dbh_m; }
+
+bool is_living(const ProjectState& state, StemRef ref) {
+  const Stem* stem = state.find(ref);
+  return stem == nullptr || stem->status != StemStatus::dead;
+}
+
+std::optional<ReportArea> area_of(const Tables& tables, InventoryId id, const ReportOptions& options) {
+  if (options.area_ha) return ReportArea{*options.area_ha, "given"};
+  for (const CoverageRow& row : tables.coverages) {
+    if (row.inventory == id && row.area_sq_m > 0.0) return ReportArea{row.area_sq_m / 10000.0, area_source(row.source)};
+  }
+  return std::nullopt;
+}
+
+ReportSurvey survey_of(const ProjectState& state, const Tables& tables, const Inventory& inventory, const ReportOptions& options) {
+  ReportSurvey survey;
+  survey.id = inventory.id;
+  survey.name = inventory.name;
+  survey.date = inventory.date;
+  survey.stems = static_cast<int>(inventory.stems.size());
+  survey.placed = std::find(tables.inventories.begin(), tables.inventories.end(), inventory.id) != tables.inventories.end();
+  if (const auto found = state.alignments.find(inventory.id); found != state.alignments.end()) {
+    const InventoryAlignment& a = found->second;
+    survey.status = a.status;
+    survey.reason = a.reason;
+    survey.observed = a.observed;
+    survey.overlap = a.overlap;
+    survey.matched = a.matched;
+    survey.residual_rms_m = a.residual_rms_m;
+    survey.position_noise_m = a.position_noise_m;
+    survey.margin = a.acceptance.margin;
+    survey.probability = a.acceptance.probability;
+  }
+  if (survey.placed) survey.area = area_of(tables, inventory.id, options);
+  return survey;
+}
+
+void add_surveys(const ProjectState& state, const Tables& tables, ReportModel& model) {
+  for (const InventoryId id : tables.inventories) model.surveys.push_back(survey_of(state, tables, *state.find(id), model.options));
+  model.placed = model.surveys.size();
+  for (const auto& inventory : state.inventories) {
+    const ReportSurvey survey = survey_of(state, tables, *inventory, model.options);
+    if (!survey.placed) model.surveys.push_back(survey);
+  }
+}
+
+/// Index into the placed surveys of the model.
+std::map<InventoryId, std::size_t> survey_index(const ReportModel& model) {
+  std::map<InventoryId, std::size_t> index;
+  for (std::size_t i = 0; i < model.placed; ++i) index[model.surveys[i].id] = i;
+  return index;
+}
+
+ReportDbhClass& class_of(double dbh_m, ReportModel& model) {
+  const double width_cm = model.options.dbh_class_width_cm;
+  // A hundredth of a millimetre of slack: 0.30 m is 30 cm also where binary fractions say 29.999999999999996.
+  const auto k = static_cast<std::size_t>(std::floor((dbh_m * 100.0 + 1e-6) / width_cm));
+  while (model.dbh_classes.size() <= k) {
+    const double low = static_cast<double>(model.dbh_classes.size()) * width_cm;
+    model.dbh_classes.push_back({low, low + width_cm, std::vector<int>(model.placed), std::vector<double>(model.placed)});
+  }
+  return model.dbh_classes[k];
+}
+
+void drop_empty_small_classes(ReportModel& model) {
+  const auto filled = std::find_if(model.dbh_classes.begin(), model.dbh_classes.end(), [](const ReportDbhClass& c) {
+    return std::any_of(c.stems.begin(), c.stems.end(), [](int n) { return n > 0; });
+  });
+  model.dbh_classes.erase(model.dbh_classes.begin(), filled);
+}
+
+/// Stand figures and DBH classes, over every living stem of every placed survey.
+void count_stems(const ProjectState& state, const Tables& tables, ReportModel& model) {
+  const auto index = survey_index(model);
+  model.without_dbh.assign(model.placed, 0);
+  std::vector<double> dbh_sum(model.placed, 0.0);
+  for (const ObservationRow& row : tables.observations) {
+    const auto found = index.find(row.stem.inventory);
+    if (found == index.end()) continue;
+    const std::size_t i = found->second;
+    ReportSurvey& survey = model.surveys[i];
+    if (row.dbh_error_m) survey.dbh_error_m = row.dbh_error_m;
+    if (!is_living(state, row.stem)) {
+      ++survey.dead;
+    } else if (!row.dbh_m || *row.dbh_m <= 0.0 || *row.dbh_m > 20.0) {
+      ++model.without_dbh[i];
+    } else {
+      ++survey.stems_with_dbh;
+      dbh_sum[i] += *row.dbh_m;
+      survey.basal_area_sq_m += basal_area_sq_m(*row.dbh_m);
+      ReportDbhClass& into = class_of(*row.dbh_m, model);
+      ++into.stems[i];
+      into.basal_area_sq_m[i] += basal_area_sq_m(*row.dbh_m);
+    }
+  }
+  drop_empty_small_classes(model);
+  for (std::size_t i = 0; i < model.placed; ++i) {
+    ReportSurvey& survey = model.surveys[i];
+    if (survey.stems_with_dbh == 0) continue;
+    survey.mean_dbh_m = dbh_sum[i] / survey.stems_with_dbh;
+    survey.quadratic_mean_dbh_m = std::sqrt(survey.basal_area_sq_m / survey.stems_with_dbh * 4.0 / std::numbers::pi);
+  }
+}
+
+ReportGrowth growth_of(const Tables& tables, const GrowthRow& row, const std::map<InventoryId, std::size_t>& index) {
+  ReportGrowth growth;
+  growth.row = row;
+  growth.from = index.at(row.from);
+  growth.to = index.at(row.to);
+  double basal_change = 0.0;
+  for (const MatchRow& match : tables.matches) {
+    if (match.state == MatchState::rejected || match.a.inventory != row.from || match.b.inventory != row.to) continue;
+    ++growth.survivors;
+    growth.grew += match.change == ChangeClass::grew ? 1 : 0;
+    growth.shrank += match.change == ChangeClass::shrank ? 1 : 0;
+    growth.within_error += match.change == ChangeClass::within_error ? 1 : 0;
+    if (!match.change_m) continue;
+    growth.changes_m.push_back(*match.change_m);
+    basal_change += basal_area_sq_m(*match.dbh_b_m) - basal_area_sq_m(*match.dbh_a_m);
+  }
+  std::sort(growth.changes_m.begin(), growth.changes_m.end());
+  if (!growth.changes_m.empty()) growth.basal_area_change_sq_m = basal_change;
+  return growth;
+}
+
+bool is_new(Fate fate) { return fate == Fate::ingrowth || fate == Fate::missed_earlier; }
+bool is_gone(Fate fate) { return fate == Fate::missing || fate == Fate::dead || fate == Fate::removed; }
+
+/// A tree is new in the survey that saw it first (unless that is the first one of all) and gone after the one that saw it last.
+void list_new_and_missing(const ProjectState& state, const Tables& tables, ReportModel& model) {
+  const auto index = survey_index(model);
+  for (const ObservationRow& row : tables.observations) {
+    const auto found = index.find(row.stem.inventory);
+    if (found == index.end() || (!is_new(row.fate) && !is_gone(row.fate))) continue;
+    const Stem* stem = state.find(row.stem);
+    const ReportStem entry{row.tree, row.stem, row.position_m, row.dbh_m, stem == nullptr ? "" : stem->species, row.fate, found->second};
+    (is_new(row.fate) ? model.new_stems : model.missing_stems).push_back(entry);
+  }
+  const auto order = [](const ReportStem& a, const ReportStem& b) {
+    if (a.survey != b.survey) return a.survey < b.survey;
+    if (a.dbh_m.value_or(0.0) != b.dbh_m.value_or(0.0)) return a.dbh_m.value_or(0.0) > b.dbh_m.value_or(0.0);
+    return a.tree < b.tree;
+  };
+  std::sort(model.new_stems.begin(), model.new_stems.end(), order);
+  std::sort(model.missing_stems.begin(), model.missing_stems.end(), order);
+  for (ReportGrowth& growth : model.growth) {
+    for (const ReportStem& stem : model.new_stems) growth.new_stems += stem.survey == growth.to ? 1 : 0;
+    for (const ReportStem& stem : model.missing_stems) growth.missing_stems += stem.survey == growth.from ? 1 : 0;
+  }
+}
+
+int decided_by_hand(const ProjectState& state) {
+  return static_cast<int>(std::count_if(state.matches.begin(), state.matches.end(),
+                                        [](const auto& entry) { return entry.second.state != MatchState::automatic; }));
+}
+
+std::string georeference_text(const Georeference& georeference) {
+  return georeference.kind == GeoreferenceKind::none ? "" : georeference.method;
+}
+
+}  // namespace
+
+ReportModel make_report_model(const ProjectState& state, const Tables& tables, const ReportOptions& options) {
+  ReportModel model;
+  model.title = state.title;
+  model.options = options;
+  model.fusion = state.fusion;
+  model.georeference = georeference_text(state.georeference);
+  if (const Inventory* reference = state.find(state.reference)) model.reference = reference->name;
+  model.trees_by_fate = tables.trees_by_fate;
+  model.trees = tables.trees;
+  model.decisions_by_hand = decided_by_hand(state);
+  add_surveys(state, tables, model);
+  count_stems(state, tables, model);
+  const auto index = survey_index(model);
+  for (const GrowthRow& row : tables.growth) {
+    if (index.contains(row.from) && index.contains(row.to)) model.growth.push_back(growth_of(tables, row, index));
+  }
+  list_new_and_missing(state, tables, model);
+  return model;
+}
+
+}  // namespace stemwise

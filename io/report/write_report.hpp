@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "core/base/result.hpp"
+#include "io/report/document.hpp"
+
+namespace stemwise {
+
+/// One self-contained HTML page: styles inside, charts as inline SVG, nothing fetched from anywhere.
+std::string report_html(const ReportDocument& document);
+/// All tables of the report, one below the other, each under its title; RFC 4180 with a UTF-8 byte order mark.
+std::string report_csv(const ReportDocument& document, char delimiter = ',', bool decimal_comma = false);
+/// A4 pages with page numbers and repeated table heads; fonts embedded.
+Result<Done> write_report_pdf(const std::string& path, const ReportDocument& document);
+
+/// By suffix: .html, .csv or .pdf. A whole file or none. An issue for another suffix or a path that cannot be written.
+Result<Done> write_report(const std::string& path, const ReportDocument& document);
+
+}  // namespace stemwise
