@@ -146,15 +146,18 @@ ReportGrowth growth_of(const Tables& tables, const GrowthRow& row, const std::ma
 bool is_new(Fate fate) { return fate == Fate::ingrowth || fate == Fate::missed_earlier; }
 bool is_gone(Fate fate) { return fate == Fate::missing || fate == Fate::dead || fate == Fate::removed; }
 
-/// A tree is new in the survey that saw it first (unless that is the first one of all) and gone after the one that saw it last.
+/// New: the survey before looked there and had it not. Gone: the next survey looked there and has it not.
 void list_new_and_missing(const ProjectState& state, const Tables& tables, ReportModel& model) {
   const auto index = survey_index(model);
   for (const ObservationRow& row : tables.observations) {
     const auto found = index.find(row.stem.inventory);
-    if (found == index.end() || (!is_new(row.fate) && !is_gone(row.fate))) continue;
+    if (found == index.end()) continue;
     const Stem* stem = state.find(row.stem);
-    const ReportStem entry{row.tree, row.stem, row.position_m, row.dbh_m, stem == nullptr ? "" : stem->species, row.fate, found->second};
-    (is_new(row.fate) ? model.new_stems : model.missing_stems).push_back(entry);
+    ReportStem entry{row.tree, row.stem, row.position_m, row.dbh_m, stem == nullptr ? "" : stem->species, row.fate, found->second};
+    if (is_gone(row.fate) && found->second + 1 < model.placed) model.missing_stems.push_back(entry);
+    if (!row.arrival || !is_new(*row.arrival)) continue;
+    entry.fate = *row.arrival;
+    model.new_stems.push_back(entry);
   }
   const auto order = [](const ReportStem& a, const ReportStem& b) {
     if (a.survey != b.survey) return a.survey < b.survey;

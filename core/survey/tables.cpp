@@ -287,6 +287,7 @@ void Derivation::derive_observations() {
       row.dbh_m = s.stem->dbh_m;
       if (row.dbh_m) row.dbh_error_m = dbh_error_m(survey);
       if (surveys_.size() >= 2) row.fate = fate_at(trees_[t], tree, std::min(survey, surveys_.size() - 2));
+      if (survey > 0) row.arrival = fate_at(trees_[t], tree, survey - 1);
       if (tree.times_seen > 1) {
         row.residual_m = (s.position_m - tree.position_m).head<2>().norm();
         row.confidence = tree.confidence;

@@ -23,6 +23,7 @@ struct ObservationRow {
   std::optional<double> dbh_m;
   std::optional<double> dbh_error_m;   ///< of the inventory
   Fate fate = Fate::unresolved;        ///< from this survey to the next one; of the last survey: from the one before
+  std::optional<Fate> arrival;         ///< from the survey before to this one; nothing in the first survey
   std::optional<double> residual_m;    ///< planar distance to the tree's fused position, where seen twice
   std::optional<double> confidence;
   std::vector<std::string> flags;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "core/base/quantile.hpp"
 #include "core/survey/fate.hpp"
 #include "io/report/palette.hpp"
 
@@ -56,13 +57,6 @@ void draw_value_axis(Drawing& drawing, const Axes& axes, const std::string& titl
   drawing.items.push_back(DrawText{{(axes.left + axes.right) / 2.0, axes.bottom + 36.0}, title, 10.5, palette::secondary, TextAnchor::middle});
 }
 
-double quantile(const std::vector<double>& ascending, double q) {
-  const double at = q * static_cast<double>(ascending.size() - 1);
-  const auto low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, ascending.size() - 1);
-  return ascending[low] + (at - static_cast<double>(low)) * (ascending[high] - ascending[low]);
-}
-
 struct Histogram {
   double low_cm = 0.0, width_cm = 1.0;
   std::vector<int> counts;
@@ -70,8 +64,8 @@ struct Histogram {
 
 /// Between the 0.5 and 99.5 percentiles (what lies beyond is counted in the outermost bars), bars on whole steps.
 Histogram histogram_of(const std::vector<double>& ascending_m) {
-  const double first = 100.0 * quantile(ascending_m, 0.005);
-  const double last = 100.0 * quantile(ascending_m, 0.995);
+  const double first = 100.0 * quantile_of_sorted(ascending_m, 0.005);
+  const double last = 100.0 * quantile_of_sorted(ascending_m, 0.995);
   Histogram histogram;
   histogram.width_cm = std::max(0.1, nice_step(last - first, 30));
   histogram.low_cm = std::floor(first / histogram.width_cm - 1e-9) * histogram.width_cm;

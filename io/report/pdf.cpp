@@ -1,0 +1,163 @@
+#include <algorithm>
+
+#include "io/report/palette.hpp"
+#include "io/report/pdf_canvas.hpp"
+#include "io/report/pdf_table.hpp"
+#include "io/report/print_text.hpp"
+#include "io/report/write_report.hpp"
+
+namespace stemwise {
+namespace {
+
+constexpr double margin = 50.0;
+constexpr double content_width = PdfCanvas::page_width - 2.0 * margin;
+constexpr double content_bottom = PdfCanvas::page_height - 62.0;
+
+const TextStyle title_style{20.0, palette::text, true};
+const TextStyle subtitle_style{10.0, palette::secondary, false};
+const TextStyle section_style{14.0, palette::text, true};
+const TextStyle table_title_style{10.0, palette::text, true};
+const TextStyle body_style{9.0, palette::text, false};
+const TextStyle warning_style{9.0, palette::warning, false};
+const TextStyle note_style{7.5, palette::secondary, false};
+
+/// Lays the document out on pages. Pass 1 counts the pages (its file is thrown away with the canvas), pass 2 prints "1 of 7".
+class PdfReport {
+ public:
+  PdfReport(PdfCanvas& canvas, const ReportDocument& document, int pages) : canvas_(canvas), document_(document), pages_(pages) {}
+
+  int print() {
+    y_ += canvas_.text(margin, y_, content_width, print_prose(document_.title), title_style) + 2.0;
+    y_ += canvas_.text(margin, y_, content_width, document_.subtitle, subtitle_style) + 8.0;
+    canvas_.rule(margin, y_, content_width, palette::accent, 1.4);
+    y_ += 6.0;
+    for (const ReportSection& section : document_.sections) print_section(section);
+    finish_page();
+    return page_;
+  }
+
+ private:
+  void print_section(const ReportSection& section) {
+    need(150.0);  // a heading does not stand alone at the foot of a page
+    if (y_ > margin) y_ += 16.0;
+    canvas_.bookmark(section.title, page_);
+    y_ += canvas_.text(margin, y_, content_width, section.title, section_style) + 6.0;
+    for (const ReportBlock& block : section.blocks) {
+      std::visit([this](const auto& one) { print_block(one); }, block);
+    }
+  }
+
+  void print_block(const ReportParagraph& paragraph) {
+    const std::string text = print_prose(paragraph.text);
+    const TextStyle& style = paragraph.is_warning ? warning_style : body_style;
+    need(canvas_.text_height(text, style, content_width) + 6.0);
+    y_ += canvas_.text(margin, y_, content_width, text, style) + 6.0;
+  }
+
+  void print_block(const ReportFigures& figures) {
+    constexpr double height = 64.0, gap = 8.0;
+    const double width = (content_width - gap * static_cast<double>(figures.size() - 1)) / static_cast<double>(figures.size());
+    need(height + 8.0);
+    double x = margin;
+    for (const ReportFigure& f : figures) {
+      canvas_.fill(x, y_, width, height, palette::accent_soft, 4.0);
+      const double inner = width - 14.0;
+      double y = y_ + 7.0;
+      y += canvas_.text(x + 7.0, y, inner, print_number(f.value), {15.0, palette::accent, true}) + 1.0;
+      y += canvas_.text(x + 7.0, y, inner, f.label, {7.5, palette::text, true});
+      canvas_.text(x + 7.0, y, inner, print_prose(f.detail), {6.5, palette::secondary, false});
+      x += width + gap;
+    }
+    y_ += height + 8.0;
+  }
+
+  void print_block(const ReportTable& table) {
+    need(80.0);
+    y_ += 6.0;
+    y_ += canvas_.text(margin, y_, content_width, table.title, table_title_style) + 2.0;
+    if (table.rows.empty()) {
+      y_ += canvas_.text(margin, y_, content_width, "None.", body_style) + 6.0;
+      return;
+    }
+    for (const TablePart& part : fit_table(canvas_, table, content_width)) print_part(table, part);
+    print_note(table);
+  }
+
+  void print_part(const ReportTable& table, const TablePart& part) {
+    const double head = table_head_height(canvas_, table, part);
+    need(head + 2.0 * table_row_height(canvas_, table, part, 0));
+    draw_table_head(canvas_, table, part, margin, y_);
+    y_ += head;
+    const std::size_t shown = table.printed_rows == 0 ? table.rows.size() : std::min(table.printed_rows, table.rows.size());
+    for (std::size_t row = 0; row < shown; ++row) {
+      const double height = table_row_height(canvas_, table, part, row);
+      if (need(height)) {
+        draw_table_head(canvas_, table, part, margin, y_);
+        y_ += head;
+      }
+      draw_table_row(canvas_, table, part, row, margin, y_);
+      y_ += height;
+    }
+    y_ += 5.0;
+  }
+
+  void print_note(const ReportTable& table) {
+    std::string note = print_prose(table.note);
+    if (table.printed_rows > 0 && table.printed_rows < table.rows.size()) {
+      note = "The first " + std::to_string(table.printed_rows) + " of " + std::to_string(table.rows.size()) + "; the CSV report has all of them. " + note;
+    }
+    if (note.empty()) return;
+    need(canvas_.text_height(note, note_style, content_width));
+    y_ += canvas_.text(margin, y_, content_width, note, note_style) + 8.0;
+  }
+
+  void print_block(const ReportChart& chart) {
+    const double caption = canvas_.text_height(print_prose(chart.caption), note_style, content_width);
+    const double room = content_bottom - margin - caption - 12.0;
+    const double scale = std::min(content_width / chart.drawing.width, room / chart.drawing.height);
+    need(chart.drawing.height * scale + caption + 12.0);
+    y_ += 4.0;
+    canvas_.draw(chart.drawing, margin, y_, scale);
+    y_ += chart.drawing.height * scale + 2.0;
+    y_ += canvas_.text(margin, y_, content_width, print_prose(chart.caption), note_style) + 6.0;
+  }
+
+  /// Turns the page when less than `height` is left; true when it did.
+  bool need(double height) {
+    if (y_ + height <= content_bottom) return false;
+    finish_page();
+    ++page_;
+    y_ = margin;
+    return true;
+  }
+
+  void finish_page() {
+    const double y = PdfCanvas::page_height - 40.0;
+    canvas_.rule(margin, y - 6.0, content_width, palette::line);
+    canvas_.text(margin, y, content_width * 0.75, print_prose(document_.title) + " \u00b7 " + document_.footer, note_style);
+    canvas_.text(margin, y, content_width, std::to_string(page_) + " of " + std::to_string(pages_), note_style, TextAnchor::end);
+    canvas_.end_page();
+  }
+
+  PdfCanvas& canvas_;
+  const ReportDocument& document_;
+  int pages_ = 0;
+  int page_ = 1;
+  double y_ = margin;
+};
+
+}  // namespace
+
+Result<Done> write_report_pdf(const std::string& path, const ReportDocument& document) {
+  int pages = 0;
+  {
+    PdfCanvas counting("/dev/null", document.title, document.footer);
+    pages = PdfReport(counting, document, 0).print();
+  }
+  PdfCanvas canvas(path, document.title, document.footer);
+  PdfReport(canvas, document, pages).print();
+  if (canvas.finish()) return Done{};
+  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written", "does the folder exist, and may you write there?"});
+}
+
+}  // namespace stemwise
