@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/random.hpp"
+#include "core/project/commands.hpp"
+#include "core/project/project.hpp"
+#include "core/survey/outline_coverage.hpp"
+#include "core/survey/report_model.hpp"
+#include "io/report/write_report.hpp"
+
+namespace stemwise {
+namespace {
+
+namespace fs = std::filesystem;
+
+Inventory survey(const std::string& name, int year, int stems, double growth_m, std::uint64_t seed) {
+  Inventory inventory;
+  inventory.name = name;
+  inventory.date = date_from_civil(year, 7, 1);
+  Random places(1), noise(seed);
+  for (int i = 0; i < stems; ++i) {
+    Stem stem;
+    stem.source_id = std::to_string(i + 1);
+    stem.x_m = places.uniform(0.0, 100.0);
+    stem.y_m = places.uniform(0.0, 80.0);
+    const double dbh_m = 0.08 + 0.35 * places.uniform() * places.uniform();
+    stem.dbh_m = dbh_m + growth_m * (0.5 + places.uniform()) + noise.normal(0.0, 0.008);
+    stem.species = i % 3 == 0 ? "Picea abies" : "Fagus sylvatica";
+    inventory.stems.push_back(stem);
+  }
+  return inventory;
+}
+
+SurveyAlignment alignment_of(const ProjectState& state, std::size_t common) {
+  SurveyAlignment result;
+  result.reference = state.reference;
+  for (const auto& inventory : state.inventories) {
+    InventoryAlignment a;
+    a.inventory = inventory->id;
+    a.status = inventory->id == state.reference ? AlignmentStatus::reference : AlignmentStatus::aligned;
+    a.observed.seen = {true, true, true, false, false, false};
+    a.overlap = 0.83;
+    a.matched = static_cast<int>(common);
+    a.residual_rms_m = 0.071;
+    a.position_noise_m = 0.1;
+    a.acceptance = {2214.3, 31.2, 2180.1, 34.2, 20.0, 0.9999};
+    result.inventories.push_back(a);
+  }
+  for (std::size_t k = 1; k < state.inventories.size(); ++k) {
+    for (std::size_t i = 0; i < common; ++i) {
+      const auto index = static_cast<std::int64_t>(i);
+      result.matches.push_back({{state.inventories[k - 1]->id, index}, {state.inventories[k]->id, index}, 0.05, 0.95, MatchState::automatic, {}, {}});
+    }
+  }
+  return result;
+}
+
+/// Three surveys; the middle one has 20 stems that the first has not, the last lost 15 of them.
+ProjectState three_surveys() {
+  Project project;
+  project.execute(set_title("Stand 14 & <sons>"));
+  project.execute(add_inventory(survey("2015", 2015, 380, 0.0, 2)));
+  project.execute(add_inventory(survey("2019", 2019, 400, 0.014, 3)));
+  project.execute(add_inventory(survey("2023", 2023, 385, 0.029, 4)));
+  std::vector<std::pair<InventoryId, Coverage>> coverages;
+  for (const auto& inventory : project.state().inventories) coverages.emplace_back(inventory->id, outline_coverage(*inventory));
+  project.execute(apply_alignment(alignment_of(project.state(), 380), coverages));
+  return project.state();
+}
+
+ReportModel model_of(const ProjectState& state, const ReportOptions& options = {}) {
+  return make_report_model(state, derive_tables(state), options);
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+/// Kept when STEMWISE_TEST_OUTPUT names a folder, for people who want to look.
+fs::path output_folder() {
+  const char* kept = std::getenv("STEMWISE_TEST_OUTPUT");
+  const fs::path folder = kept != nullptr ? fs::path(kept) : fs::temp_directory_path() / ("stemwise_report_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  return folder;
+}
+
+TEST(Report, CountsNewAndMissingStemsOfEveryStep) {
+  const ReportModel model = model_of(three_surveys());
+  ASSERT_EQ(model.growth.size(), 2u);
+  EXPECT_EQ(model.growth[0].survivors, 380);
+  EXPECT_GE(model.growth[0].new_stems, 17);  // those at the very edge count as outside the first survey's coverage
+  EXPECT_LE(model.growth[0].new_stems, 20);
+  EXPECT_GE(model.growth[1].missing_stems, 17);
+  EXPECT_NEAR(model.growth[1].row.median_change_m, 0.015, 0.002);
+}
+
+TEST(Report, DbhClassesCountEveryLivingStemOnceWithTheLowerLimitIncluded) {
+  Project project;
+  Inventory inventory = survey("2015", 2015, 6, 0.0, 2);
+  const double dbh_m[] = {0.10, 0.149999, 0.15, 0.30, 0.0999, 0.2};
+  for (std::size_t i = 0; i < 6; ++i) inventory.stems[i].dbh_m = dbh_m[i];
+  inventory.stems[5].dbh_m.reset();
+  project.execute(add_inventory(inventory));
+  const ProjectState state = project.state();
+  const ReportModel model = model_of(state);
+  if (model.placed == 0) GTEST_SKIP() << "a lone inventory has no place before it was aligned";
+  ASSERT_FALSE(model.dbh_classes.empty());
+  EXPECT_DOUBLE_EQ(model.dbh_classes.front().low_cm, 5.0);
+  EXPECT_EQ(model.dbh_classes[0].stems[0], 1);
+  EXPECT_EQ(model.dbh_classes[1].stems[0], 2);
+  EXPECT_EQ(model.dbh_classes[2].stems[0], 1);
+  EXPECT_DOUBLE_EQ(model.dbh_classes.back().low_cm, 30.0);
+  EXPECT_EQ(model.without_dbh[0], 1);
+}
+
+TEST(Report, PerHectareFiguresNameTheirArea) {
+  const ProjectState state = three_surveys();
+  const ReportModel own = model_of(state);
+  ASSERT_TRUE(own.surveys[0].area);
+  EXPECT_EQ(own.surveys[0].area->source, "hull of the stems");
+  ReportOptions options;
+  options.area_ha = 0.8;
+  const ReportModel given = model_of(state, options);
+  EXPECT_EQ(given.surveys[0].area->source, "given");
+  EXPECT_DOUBLE_EQ(given.surveys[0].area->ha, 0.8);
+}
+
+TEST(Report, HtmlStandsAloneAndEscapesWhatItQuotes) {
+  const std::string html = report_html(make_report_document(model_of(three_surveys()), "Stemwise test"));
+  EXPECT_NE(html.find("Stand 14 &amp; &lt;sons&gt;"), std::string::npos);
+  EXPECT_NE(html.find("<svg"), std::string::npos);
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "<script"}) EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+}
+
+TEST(Report, EveryFormatIsWrittenAndTheSameTwice) {
+  const ReportDocument document = make_report_document(model_of(three_surveys()), "Stemwise test");
+  const fs::path folder = output_folder();
+  setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
+  for (const std::string suffix : {".html", ".csv", ".pdf"}) {
+    const fs::path first = folder / ("report" + suffix), second = folder / ("again" + suffix);
+    ASSERT_TRUE(write_report(first.string(), document)) << suffix;
+    ASSERT_TRUE(write_report(second.string(), document)) << suffix;
+    EXPECT_GT(fs::file_size(first), 2000u);
+    EXPECT_EQ(text_of(first), text_of(second)) << suffix;
+  }
+}
+
+TEST(Report, ARefusedPathLeavesNothingBehind) {
+  const ReportDocument document = make_report_document(model_of(three_surveys()), "Stemwise test");
+  EXPECT_FALSE(write_report("/nowhere/at/all/report.pdf", document));
+  EXPECT_FALSE(write_report("/nowhere/at/all/report.html", document));
+  const fs::path folder = output_folder() / "unknown";
+  fs::create_directories(folder);
+  EXPECT_FALSE(write_report((folder / "report.docx").string(), document));
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace stemwise
