@@ -158,7 +158,7 @@ MapFrame map_frame_of(const std::vector<TreeRow>& trees) {
     frame.high_m = frame.high_m.cwiseMax(tree.position_m.head<2>());
   }
   const Eigen::Vector2d extent = (frame.high_m - frame.low_m).cwiseMax(1.0);
-  frame.scale = std::min((chart_width - 16.0) / extent.x(), 560.0 / extent.y());
+  frame.scale = std::min((chart_width - 16.0) / extent.x(), 440.0 / extent.y());
   return frame;
 }
 

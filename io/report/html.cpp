@@ -29,7 +29,7 @@ th.n,td.n{text-align:right;white-space:nowrap}
 td:not(.n){overflow-wrap:anywhere}
 p.note,figcaption{font-size:11.5px;color:var(--secondary);margin:8px 0 0}
 figure{margin:24px 0;break-inside:avoid}
-figure svg{max-width:100%;height:auto;font-family:Roboto,"DejaVu Sans",system-ui,sans-serif}
+figure svg{width:100%;max-width:760px;height:auto;font-family:Roboto,"DejaVu Sans",system-ui,sans-serif}
 footer{margin-top:48px;padding-top:12px;border-top:1px solid var(--line);font-size:11.5px;color:var(--secondary)}
 @media print{body{background:#fff}main{padding:0;max-width:none}h2,h3{break-after:avoid}tr{break-inside:avoid}thead{display:table-header-group}}
 )";

@@ -87,6 +87,7 @@ void paint(cairo_t* cr, const DrawLine& l) {
 }
 
 void paint(cairo_t* cr, const DrawCircle& c) {
+  cairo_new_sub_path(cr);
   cairo_arc(cr, c.center.x, c.center.y, c.radius, 0.0, 2.0 * std::numbers::pi);
   paint_path(cr, c.fill, c.stroke, c.opacity, 1.0);
   if (!c.crossed) return;
