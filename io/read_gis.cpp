@@ -1,13 +1,13 @@
 #include "io/read_gis.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
 #include "io/crs.hpp"
 #include "io/delimited_text.hpp"
+#include "io/exact_number.hpp"
 #include "io/gdal_dataset.hpp"
 #include "io/gdal_session.hpp"
 #include "io/stem_table.hpp"
@@ -19,12 +19,6 @@ namespace {
 
 Result<Inventory> refused(const std::string& path, std::string text, std::string help) {
   return Result<Inventory>::failure(Issue{Severity::error, path, 0, {}, std::move(text), std::move(help)});
-}
-
-std::string exact_text(double value) {
-  std::array<char, 40> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
 }
 
 std::string field_text(const OGRFeature& feature, int field) {

@@ -1,0 +1,87 @@
+#include "io/replace_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+
+namespace stemwise {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<Done> failed(const std::string& path, const std::string& why) {
+  return Result<Done>::failure(Issue{Severity::error, path, 0, {}, "cannot be written: " + why, "check the folder, its rights and the space left"});
+}
+
+/// Errno of flushing a file or folder to the disk, 0 when it went well.
+int flush(const std::string& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  return error;
+}
+
+}  // namespace
+
+std::string temporary_beside(const std::string& path) {
+  const fs::path p(path);
+  return (p.parent_path() / ("." + p.stem().string() + ".writing-" + std::to_string(::getpid()) + p.extension().string())).string();
+}
+
+Result<Done> replace_file(const std::string& temporary, const std::string& path) {
+  std::error_code ignored;
+  const auto give_up = [&](const std::string& why) {
+    fs::remove(temporary, ignored);
+    return failed(path, why);
+  };
+  if (const int error = flush(temporary, O_RDONLY); error != 0) return give_up(std::strerror(error));
+  if (fs::is_directory(path, ignored)) return give_up("a folder of that name is there");
+  std::error_code error;
+  fs::rename(temporary, path, error);
+  if (error) return give_up(error.message());
+  const fs::path folder = fs::path(path).parent_path();
+  flush(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);  // where a folder cannot be flushed the rename still holds
+  return Done{};
+}
+
+Result<Done> write_text_file(const std::string& path, std::string_view text) {
+  const std::string temporary = temporary_beside(path);
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return failed(path, std::strerror(errno));
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const std::string why = std::strerror(errno);
+      ::close(descriptor);
+      ::unlink(temporary.c_str());
+      return failed(path, why);
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  ::close(descriptor);
+  return replace_file(temporary, path);
+}
+
+long long timestamp_s() {
+  if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"); fixed != nullptr && *fixed != '\0') return std::atoll(fixed);
+  return static_cast<long long>(std::time(nullptr));
+}
+
+std::string timestamp_utc() {
+  const std::time_t seconds = static_cast<std::time_t>(timestamp_s());
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  std::array<char, 40> buffer{};
+  std::strftime(buffer.data(), buffer.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return buffer.data();
+}
+
+}  // namespace stemwise

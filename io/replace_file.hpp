@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/base/result.hpp"
+
+namespace stemwise {
+
+/// A name beside `path` for a file that is being written; same folder, so that the rename is atomic. Keeps the suffix.
+std::string temporary_beside(const std::string& path);
+
+/// Flushes `temporary` to the disk and puts it in the place of `path` in one step. On failure `path` is as it was and
+/// `temporary` is gone.
+Result<Done> replace_file(const std::string& temporary, const std::string& path);
+
+/// Writes a whole text file that way.
+Result<Done> write_text_file(const std::string& path, std::string_view text);
+
+/// Seconds since 1970 for time stamps in files: SOURCE_DATE_EPOCH where that is set, else now.
+long long timestamp_s();
+/// "2026-11-22T10:15:00Z" of it.
+std::string timestamp_utc();
+
+}  // namespace stemwise
