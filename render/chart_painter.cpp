@@ -16,6 +16,16 @@ cairo_status_t append_text(void* target, const unsigned char* data, unsigned int
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// cairo numbers its surfaces over the life of the process; the picture must not depend on how many there were.
+std::string without_counter(std::string svg) {
+  const std::string mark = "id=\"surface";
+  for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1)) {
+    const std::size_t digits = at + mark.size(), end = svg.find('"', digits);
+    svg.erase(digits, end - digits);
+  }
+  return svg;
+}
+
 std::string value_text(const ChartAxis& axis, double value) {
   if (axis.unit.empty()) return grouped_text(std::llround(value));
   return number_text(value, 1) + " " + axis.unit;
@@ -70,7 +80,7 @@ std::string chart_svg(const ChartModel& chart, const ChartStyle& style) {
   }
   cairo_destroy(cairo);
   cairo_surface_destroy(surface);
-  return text;
+  return without_counter(std::move(text));
 }
 
 Result<Done> write_chart(const ChartModel& chart, const ChartStyle& style, const std::string& path) {

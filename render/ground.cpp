@@ -7,7 +7,7 @@ namespace stemwise::render {
 namespace {
 
 constexpr int most_nodes_per_side = 90;
-constexpr int rings_around_stems = 2;
+constexpr int rings_around_stems = 3;
 constexpr int smoothing_passes = 3;
 
 /// Mean base height of the stems around every node.

@@ -56,14 +56,14 @@ class OverlayPainter {
   void labels() const {
     if (options_.moving || view_.kind != ViewKind::map) return;
     const double spacing_px = scene_.spacing_m / view_.map.metres_per_px / view_.px_scale;
-    if (spacing_px < 34.0) return;
+    if (spacing_px < 58.0) return;
     std::vector<const Mark*> seen;
     for (const Mark& mark : scene_.marks) {
       const Eigen::Vector2d pixel = view_.map.pixels_of(mark.base_m.head<2>(), view_.size);
       if (mark.tree && view_.is_inside(pixel)) seen.push_back(&mark);
     }
     std::stable_sort(seen.begin(), seen.end(), [](const Mark* a, const Mark* b) { return a->dbh_m > b->dbh_m; });
-    std::unordered_set<std::int64_t> taken;
+    std::vector<Eigen::Vector2d> taken;
     std::unordered_set<TreeId> done;
     int drawn = 0;
     for (const Mark* mark : seen) {
@@ -73,15 +73,13 @@ class OverlayPainter {
   }
 
   /// One label below its circle, unless another one is there.
-  int label(const Mark& mark, std::unordered_set<std::int64_t>& taken, std::unordered_set<TreeId>& done) const {
+  int label(const Mark& mark, std::vector<Eigen::Vector2d>& taken, std::unordered_set<TreeId>& done) const {
     if (done.contains(mark.tree)) return 0;
     const auto shape = view_.shape_of(mark);
     const double x = shape->base_px.x() / view_.px_scale, y = (shape->base_px.y() + shape->radius_px) / view_.px_scale + 10.0;
-    const auto column = static_cast<std::int64_t>(std::floor(x / 33.0)), row = static_cast<std::int64_t>(std::floor(y / 16.0));
-    const auto cell = [](std::int64_t c, std::int64_t r) { return r * 100'000 + c; };
-    for (std::int64_t c = column - 1; c <= column + 1; ++c)
-      if (taken.contains(cell(c, row))) return 0;
-    for (std::int64_t c = column - 1; c <= column + 1; ++c) taken.insert(cell(c, row));
+    for (const Eigen::Vector2d& other : taken)
+      if (std::abs(other.x() - x) < 54.0 && std::abs(other.y() - y) < 15.0) return 0;
+    taken.emplace_back(x, y);
     done.insert(mark.tree);
     canvas_.text(x, y, tree_label(mark.tree), {11.0, Weight::regular, colours_.secondary, Align::centre, colours_.map.with_alpha(0.85)});
     return 1;
@@ -117,11 +115,33 @@ class OverlayPainter {
       const Mark* mark = scene_.find(tree);
       if (mark && rings++ < most_rings) ring(*mark, colours_.text, 2.4, 6.0);
     }
+    if (options_.selected.size() == 1) doubt(options_.selected.front());
     for (const StemRef stem : options_.selected_stems) {
       const Mark* mark = scene_.find(stem);
       if (mark && rings++ < most_rings) ring(*mark, colours_.text, 2.4, 6.0);
     }
     if (const Mark* mark = scene_.find(options_.hovered)) ring(*mark, colours_.accent, 1.6, 3.5);
+  }
+
+  /// The other stem that this tree could have been: a dashed ring and a dashed line to it.
+  void doubt(TreeId tree) const {
+    const Mark* mark = scene_.find(tree);
+    const auto other = scene_.alternative_of_tree.find(tree);
+    if (!mark || other == scene_.alternative_of_tree.end()) return;
+    const auto from = at(mark->base_m), to = at(other->second);
+    if (!from || !to) return;
+    cairo_t* cr = canvas_.cairo();
+    cairo_save(cr);
+    constexpr double dashes[] = {3.0, 2.5};
+    cairo_set_dash(cr, dashes, 2, 0.0);
+    canvas_.line(from->x(), from->y(), to->x(), to->y(), colours_.warning, 1.6);
+    if (view_.kind == ViewKind::map) {
+      canvas_.circle(from->x(), from->y(), view_.shape_of(*mark)->radius_px / view_.px_scale + 10.0);
+      canvas_.stroke(colours_.warning, 1.4);
+    }
+    cairo_restore(cr);
+    canvas_.circle(to->x(), to->y(), 2.4);
+    canvas_.fill(colours_.warning);
   }
 
   void scale_bar() const {

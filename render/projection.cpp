@@ -71,7 +71,7 @@ std::optional<Projection::Shape> Projection::shape_of(const Mark& mark, const Or
   const auto base = basis.pixels_of(mark.base_m);
   const auto top = basis.pixels_of(mark.base_m + mark.height_m * mark.axis);
   if (!base || !top) return std::nullopt;
-  const double radius_px = std::max(0.6 * px_scale, 0.5 * mark.dbh_m * basis.focal_px / base->z());
+  const double radius_px = std::max(0.6 * px_scale, 0.5 * mark.dbh_m * dbh_exaggeration * basis.focal_px / base->z());
   return Shape{base->head<2>(), top->head<2>(), radius_px, base->z()};
 }
 
@@ -83,6 +83,11 @@ double dbh_exaggeration(double metres_per_px, double spacing_m, double px_scale)
   const double true_px = 0.5 * typical_dbh_m / metres_per_px;
   const double shown_px = std::max(true_px, std::min(wanted_radius_px * px_scale, 0.27 * spacing_m / metres_per_px));
   return std::max(1.0, shown_px / true_px);
+}
+
+double dbh_exaggeration(const OrbitCamera& camera, PixelSize size, double px_scale) {
+  const double true_px = typical_dbh_m * camera.focal_px(size) / camera.distance_m;
+  return std::clamp(3.5 * px_scale / std::max(true_px, 1e-6), 1.0, 4.0);
 }
 
 double disc_radius_px(double dbh_m, double px_per_m, double exaggeration, double px_scale) {

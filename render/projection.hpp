@@ -16,7 +16,7 @@ struct Projection {
   OrbitCamera orbit;
   PixelSize size;
   double px_scale = 1.0;           ///< picture pixels per interface pixel
-  double dbh_exaggeration = 1.0;   ///< map
+  double dbh_exaggeration = 1.0;   ///< marks are drawn this many times as thick as they are
 
   /// Nothing for what lies behind the eye.
   std::optional<Eigen::Vector2d> pixels_of(const Eigen::Vector3d& world_m) const;
@@ -35,6 +35,8 @@ struct Projection {
 /// How many times their size circles are drawn so that they are visible at this scale: 30 cm become about 7 pixels, less
 /// where trees would overlap, and 1 as soon as true size is larger.
 double dbh_exaggeration(double metres_per_px, double spacing_m, double px_scale);
+/// The same in 3D: 30 cm become at least about 3.5 pixels at the target's distance, at most four times their size.
+double dbh_exaggeration(const OrbitCamera& camera, PixelSize size, double px_scale);
 
 /// The radius on the map of a stem of this diameter.
 inline constexpr double least_disc_radius_px = 1.1;

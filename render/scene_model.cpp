@@ -23,11 +23,13 @@ void add_form(Mark& mark, const Stem& stem, const Eigen::Matrix3d& rotation, std
 class SceneBuilder {
  public:
   SceneBuilder(const ProjectState& state, const Tables& tables, const ViewOptions& options)
-      : state_(state), tables_(tables), options_(options), colouring_(state, tables, options.color_by, options.theme) {}
+      : state_(state), tables_(tables), options_(options), color_by_(meaningful(options.color_by, tables)),
+        colouring_(state, tables, color_by_, options.theme) {}
 
   SceneModel build() {
     scene_.reference = state_.reference;
     scene_.legend = colouring_.legend();
+    scene_.shows_sightings = !is_whole();
     if (state_.georeference.kind == GeoreferenceKind::anchor) scene_.north_azimuth_rad = radians(state_.georeference.azimuth_deg);
     if (state_.georeference.kind == GeoreferenceKind::crs) scene_.north_azimuth_rad = 0.0;
     choose_origin();
@@ -42,7 +44,12 @@ class SceneBuilder {
 
  private:
   bool is_hidden(InventoryId id) const { return std::find(options_.hidden.begin(), options_.hidden.end(), id) != options_.hidden.end(); }
-  bool is_whole() const { return options_.color_by != ColorBy::inventory; }
+  bool is_whole() const { return color_by_ != ColorBy::inventory; }
+
+  /// Before anything is aligned there is nothing to compare: then surveys and diameters are all that colours can tell.
+  static ColorBy meaningful(ColorBy by, const Tables& tables) {
+    return tables.inventories.size() < 2 && by != ColorBy::dbh ? ColorBy::inventory : by;
+  }
 
   void choose_origin() {
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -133,6 +140,10 @@ class SceneBuilder {
       if (match.state == MatchState::rejected || is_hidden(match.a.inventory) || is_hidden(match.b.inventory)) continue;
       const auto a = position(match.a), b = position(match.b);
       if (a && b) scene_.links.push_back({match.tree, *a, *b});
+      if (!match.second_distance_m) continue;
+      const auto found = state_.matches.find(ordered(match.a, match.b));
+      if (found == state_.matches.end() || !found->second.second_choice) continue;
+      if (const auto other = position(*found->second.second_choice)) scene_.alternative_of_tree[match.tree] = *other;
     }
   }
 
@@ -140,7 +151,7 @@ class SceneBuilder {
     for (const CoverageRow& row : tables_.coverages) {
       if (is_hidden(row.inventory) || row.in_reference.empty()) continue;
       CoverageShape shape{.inventory = row.inventory, .corners_m = {}, .outline = theme_colours(options_.theme).accent};
-      if (options_.color_by == ColorBy::inventory) shape.outline = colouring_.colour_of_inventory(row.inventory);
+      if (color_by_ == ColorBy::inventory) shape.outline = colouring_.colour_of_inventory(row.inventory);
       for (const Eigen::Vector2d& corner : row.in_reference.corners_m) shape.corners_m.push_back(corner - scene_.origin_m.head<2>());
       scene_.coverages.push_back(std::move(shape));
     }
@@ -150,10 +161,12 @@ class SceneBuilder {
   void add_side_frames() {
     double next_x_m = 0.0, top_m = 0.0;
     bool is_first = scene_.marks.empty();
+    SideFrame placed{state_.reference, -scene_.origin_m.head<2>(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), "", {}};
     for (const Mark& mark : scene_.marks) {
-      next_x_m = std::max(next_x_m, mark.base_m.x());
-      top_m = std::max(top_m, mark.base_m.y());
+      placed.low_m = placed.low_m.cwiseMin(mark.base_m.head<2>());
+      placed.high_m = placed.high_m.cwiseMax(mark.base_m.head<2>());
     }
+    if (!is_first) next_x_m = placed.high_m.x(), top_m = placed.high_m.y();
     for (const auto& inventory : state_.inventories) {
       const bool is_placed = std::find(tables_.inventories.begin(), tables_.inventories.end(), inventory->id) != tables_.inventories.end();
       if (is_placed || is_hidden(inventory->id) || inventory->stems.empty()) continue;
@@ -168,6 +181,12 @@ class SceneBuilder {
       next_x_m = high.x() + offset.x();
       is_first = false;
     }
+    const Inventory* reference = state_.find(state_.reference);
+    if (scene_.side_frames.empty() || !reference || placed.low_m == placed.high_m) return;
+    const bool is_alone = tables_.inventories.size() < 2;
+    placed.caption = is_alone ? reference->name + ", reference" : "Aligned surveys";
+    placed.colour = is_alone ? colouring_.colour_of_inventory(reference->id) : theme_colours(options_.theme).text;
+    scene_.side_frames.push_back(placed);
   }
 
   void add_side_frame(const Inventory& inventory, const Eigen::Vector2d& offset, const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
@@ -227,6 +246,7 @@ class SceneBuilder {
   const ProjectState& state_;
   const Tables& tables_;
   const ViewOptions& options_;
+  ColorBy color_by_;
   Colouring colouring_;
   SceneModel scene_;
   std::int64_t heights_ = 0;

@@ -38,13 +38,14 @@ struct CoverageShape {
   Rgba outline;
 };
 
-/// A survey without a place in the reference's frame, shown beside it: position = own coordinates + offset.
+/// A survey without a place in the reference's frame, shown beside it: position = own coordinates + offset. While there is
+/// such a survey the reference has one too (for its caption), with an offset of minus the scene's origin.
 struct SideFrame {
   InventoryId inventory;
   Eigen::Vector2d scene_from_own_m = Eigen::Vector2d::Zero();
   Eigen::Vector2d low_m = Eigen::Vector2d::Zero();  ///< of its box in the scene
   Eigen::Vector2d high_m = Eigen::Vector2d::Zero();
-  std::string caption;
+  std::string caption;  ///< "2023, not aligned yet"
   Rgba colour;
 };
 
@@ -60,8 +61,10 @@ struct SceneModel {
   Eigen::Vector3d high_m = Eigen::Vector3d::Zero();
   double spacing_m = 4.0;        ///< typical distance between neighbouring trees
   std::optional<double> north_azimuth_rad;  ///< of the +y axis, clockwise from north; nothing while nobody has said where north is
+  bool shows_sightings = false;  ///< a mark per sighting, several on one spot; else one per tree
   bool has_terrain = false;      ///< at least three marks have a measured base height
   Legend legend;
+  std::unordered_map<TreeId, Eigen::Vector3d> alternative_of_tree;  ///< where its newest match's second choice stands
   std::unordered_map<TreeId, std::size_t> mark_of_tree;  ///< its newest shown sighting
   std::unordered_map<StemRef, std::size_t> mark_of_stem;
 

@@ -61,7 +61,8 @@ struct Viewport::Impl {
   Projection now() const {
     Projection p = view;
     p.kind = options.kind;
-    p.dbh_exaggeration = dbh_exaggeration(view.map.metres_per_px, scene.spacing_m, view.px_scale);
+    p.dbh_exaggeration = p.kind == ViewKind::map ? dbh_exaggeration(view.map.metres_per_px, scene.spacing_m, view.px_scale)
+                                                 : dbh_exaggeration(view.orbit, view.size, view.px_scale);
     return p;
   }
 
@@ -78,8 +79,8 @@ struct Viewport::Impl {
     view.map.metres_per_px = fit_margin * std::max({extent.x() / free_width, extent.y() / free_height, 5.0 / view.size.height});
     const double radius_m = std::max(8.0, 0.5 * extent.head<2>().norm());
     const double narrow = std::min(1.0, static_cast<double>(view.size.width) / view.size.height);
-    view.orbit.target_m = middle + Eigen::Vector3d(0.0, 0.0, std::min(8.0, 0.1 * radius_m));
-    view.orbit.distance_m = 0.95 * radius_m / std::sin(0.5 * view.orbit.field_of_view_rad) / narrow;
+    view.orbit.target_m = middle + Eigen::Vector3d(0.0, 0.0, std::min(8.0, 0.12 * radius_m));
+    view.orbit.distance_m = 0.78 * radius_m / std::sin(0.5 * view.orbit.field_of_view_rad) / narrow;
     view.orbit.azimuth_rad = 0.5;
     view.orbit.elevation_rad = 0.55;
     flight.reset();
@@ -271,7 +272,7 @@ std::optional<WorldPosition> Viewport::world_at(double x_px, double y_px) const 
   for (const SideFrame& frame : s.scene.side_frames) {
     const Eigen::AlignedBox2d box(frame.low_m, frame.high_m);
     const Eigen::Vector2d own = place - frame.scene_from_own_m;
-    if (box.contains(place)) return WorldPosition{{own.x(), own.y(), 0.0}, frame.inventory};
+    if (frame.inventory != s.scene.reference && box.contains(place)) return WorldPosition{{own.x(), own.y(), 0.0}, frame.inventory};
   }
   const double height_m = s.scene.has_terrain ? s.ground.height_at_m(place) : 0.0;
   return WorldPosition{Eigen::Vector3d(place.x(), place.y(), height_m) + s.scene.origin_m, s.scene.reference};

@@ -26,6 +26,7 @@ Canvas::Canvas(cairo_t* cairo) : cairo_(cairo), layout_(pango_cairo_create_layou
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
   pango_cairo_context_set_font_options(pango_layout_get_context(layout_), options);
   cairo_font_options_destroy(options);
+  pango_context_set_round_glyph_positions(pango_layout_get_context(layout_), FALSE);
   pango_cairo_context_set_resolution(pango_layout_get_context(layout_), 96.0);
 }
 

@@ -101,7 +101,7 @@ void DiscLayer::draw(const FrameView& view) {
   glUniform1f(program_.at("px_per_dbh_m"), static_cast<float>(view.px_per_m * view.dbh_exaggeration));
   glUniform1f(program_.at("least_px"), static_cast<float>(least_disc_radius_px * view.px_scale));
   glUniform1f(program_.at("px_scale"), static_cast<float>(view.px_scale));
-  glUniform1f(program_.at("fill_alpha"), view.theme == Theme::dark ? 0.32F : 0.34F);
+  glUniform1f(program_.at("fill_alpha"), static_cast<float>(view.fill_alpha));
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_DEPTH_TEST);

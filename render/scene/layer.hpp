@@ -15,7 +15,8 @@ struct FrameView {
   Eigen::Vector3f forward = Eigen::Vector3f::UnitY();
   double focal_px = 1.0;        ///< 3D: pixels of one metre at one metre
   double px_per_m = 1.0;        ///< map
-  double dbh_exaggeration = 1.0;  ///< map: circles are drawn this many times their size
+  double dbh_exaggeration = 1.0;  ///< marks are drawn this many times as thick as they are
+  double fill_alpha = 0.34;       ///< of the map's circles
   double fog_start_m = 1e9, fog_end_m = 2e9;
   bool is_moving = false;
   Theme theme = Theme::light;

@@ -19,7 +19,7 @@ in float radius_m;
 in vec4 colour;
 uniform mat4 clip_from_world;
 uniform vec3 eye, forward;
-uniform float focal_px, least_px, is_top;
+uniform float focal_px, least_px, thicker, is_top;
 flat out vec3 stem_colour;
 out vec2 at;        // across -1..1 and along 0..1; on a cut face both -1..1
 out float depth_m;
@@ -29,7 +29,7 @@ void main() {
   bool is_high = corner >= 2;
   vec3 place = base + (is_high || is_top > 0.5 ? up : vec3(0.0));
   depth_m = max(dot(place - eye, forward), 0.01);
-  float radius = max(radius_m, least_px * depth_m / focal_px);
+  float radius = max(radius_m * thicker, least_px * depth_m / focal_px);
   vec3 axis = normalize(up);
   vec3 side = cross(axis, place - eye);
   side = length(side) > 1e-5 ? normalize(side) : vec3(1.0, 0.0, 0.0);
@@ -60,7 +60,7 @@ void main() {
     light = r > 0.72 ? 0.85 : 1.18;
   } else {
     float toward = sqrt(max(0.0, 1.0 - at.x * at.x));
-    light = (0.50 + 0.56 * clamp(0.88 * toward + 0.46 * at.x, 0.0, 1.0)) * mix(0.72, 1.0, smoothstep(0.0, 0.12, at.y));
+    light = (0.66 + 0.46 * clamp(0.88 * toward + 0.46 * at.x, 0.0, 1.0)) * mix(0.8, 1.0, smoothstep(0.0, 0.1, at.y));
   }
   vec3 shaded = min(stem_colour * light, vec3(1.0));
   colour_out = vec4(mix(shaded, fog_colour, clamp((depth_m - fog.x) / (fog.y - fog.x), 0.0, 1.0) * 0.75), 1.0);
@@ -98,6 +98,7 @@ void StemLayer::fill(std::span<const Mark> marks) {
 }
 
 void StemLayer::set_uniforms(const FrameView& view) const {
+  glUniform1f(program_.at("thicker"), static_cast<float>(view.dbh_exaggeration));
   const Rgba fog = theme_colours(view.theme).map;
   glUniformMatrix4fv(program_.at("clip_from_world"), 1, GL_FALSE, view.clip_from_world.data());
   glUniform3fv(program_.at("eye"), 1, view.eye_m.data());

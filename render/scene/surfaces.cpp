@@ -78,11 +78,11 @@ std::vector<LineSegment> coverage_outlines(const SceneModel& scene) {
 }
 
 std::vector<LineSegment> link_lines(const SceneModel& scene, Theme theme, bool is_map) {
-  const Rgba colour = theme_colours(theme).text.with_alpha(is_map ? 0.6 : 0.9);
+  const Rgba colour = is_map ? theme_colours(theme).text.with_alpha(0.6) : theme_colours(theme).secondary.with_alpha(0.7);
   std::vector<LineSegment> segments;
   segments.reserve(scene.links.size());
   const Eigen::Vector3d lift = is_map ? Eigen::Vector3d::Zero() : Eigen::Vector3d(0.0, 0.0, 1.3);
-  for (const Link& link : scene.links) segments.push_back({link.a_m + lift, link.b_m + lift, colour, is_map ? 1.1 : 1.4});
+  for (const Link& link : scene.links) segments.push_back({link.a_m + lift, link.b_m + lift, colour, 1.1});
   return segments;
 }
 

@@ -111,11 +111,11 @@ void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, con
   const double resolution = impl_->resolution(scene, projection, options);
   const PixelSize size{std::max(1, static_cast<int>(std::lround(projection.size.width * resolution))),
                        std::max(1, static_cast<int>(std::lround(projection.size.height * resolution)))};
-  FrameView view{.size = size, .px_scale = projection.px_scale * resolution, .is_moving = options.moving, .theme = options.theme};
+  FrameView view{.size = size, .px_scale = projection.px_scale * resolution, .dbh_exaggeration = projection.dbh_exaggeration, .is_moving = options.moving, .theme = options.theme};
   if (is_map) {
     impl_->fill_grid(scene, projection, options);
     view.px_per_m = resolution / projection.map.metres_per_px;
-    view.dbh_exaggeration = projection.dbh_exaggeration;
+    view.fill_alpha = scene.shows_sightings && scene.side_frames.empty() ? 0.10 : 0.34;
     impl_->stage.look_down(projection.map, projection.size);
   } else {
     const double radius_m = 0.5 * (scene.high_m - scene.low_m).norm() + 30.0;

@@ -49,7 +49,7 @@ TEST(Picking, InSpaceAClickOnAStemFindsItOrOneInFront) {
     ASSERT_TRUE(pick);
     found += pick->tree == tree.tree;
   }
-  EXPECT_GT(found, shown * 6 / 10);
+  EXPECT_GT(found, shown * 7 / 10);
 }
 
 TEST(Picking, EmptyGroundIsNoTree) {
