@@ -26,6 +26,12 @@ class Progress {
   void check() const {
     if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) throw Cancelled{};
   }
+  /// The same with a few words before every text: "Aligning 2018: " before "searching poses".
+  Progress prefixed(const std::string& words) const {
+    Progress part = *this;
+    if (report_) part.report_ = [report = report_, words](double fraction, const std::string& text) { report(fraction, words + text); };
+    return part;
+  }
   Progress stage(double from, double to) const {
     Progress part = *this;
     part.from_ = from_ + (to_ - from_) * from;

@@ -7,6 +7,9 @@
 #include "core/forest/inventory.hpp"
 #include "core/jobs/progress.hpp"
 #include "core/survey/alignment.hpp"
+#include "core/survey/level_by_axes.hpp"
+#include "core/survey/list_settings.hpp"
+#include "core/survey/refine_six_dof.hpp"
 
 namespace stemwise {
 
@@ -32,7 +35,10 @@ struct AlignSettings {
   std::string preset = "auto";  ///< TreeLoc++ parameters for frames: auto, plot, route
   std::uint64_t seed = 0;
   int threads = 0;              ///< 0: all; the result does not depend on it
-  bool accept_probable = false;
+  bool accept_probable = false; ///< probable poses count as accepted
+  ListSettings lists;           ///< bare stem lists (stem-lists.md)
+  LevelSettings level;          ///< uprighting lists that have axes
+  SixDofSettings six_dof;       ///< roll, pitch and height from matched stems
   Fields fields();              ///< every setting below and of the steps
 };
 

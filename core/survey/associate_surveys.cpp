@@ -1,0 +1,251 @@
+#include "core/survey/associate_surveys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "core/survey/match_stems.hpp"
+
+namespace stemwise {
+namespace {
+
+constexpr double presence_per_miss = 0.5;  // a tree missed by a survey is half as likely to be in the next
+constexpr int noise_rounds = 2;
+
+using Partners = std::map<StemRef, std::vector<StemRef>>;
+
+Partners partners_of(const std::vector<AlignHints::SameTree>& pairs) {
+  Partners partners;
+  for (const auto& p : pairs) partners[p.a].push_back(p.b), partners[p.b].push_back(p.a);
+  return partners;
+}
+
+class Association {
+ public:
+  Association(std::span<const PlacedSurvey> surveys, const AlignHints& hints, double noise_floor_m)
+      : surveys_(surveys), must_(partners_of(hints.same_tree)), must_not_(partners_of(hints.not_same)), noise_floor_m_(noise_floor_m), growth_cm_(surveys.size(), 0.0) {}
+
+  std::vector<SightedTree> run(const Progress& progress) {
+    const std::size_t count = surveys_.size();
+    const double steps = count > 2 ? 2.0 * static_cast<double>(count) : static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      progress.at(static_cast<double>(k) / steps, "Matching " + surveys_[k].inventory->name);
+      join(k);
+    }
+    for (std::size_t k = 0; count > 2 && k < count; ++k) {
+      progress.at(static_cast<double>(count + k) / steps, "Matching " + surveys_[k].inventory->name + " again");
+      take_out(k);
+      join(k);
+    }
+    return std::move(trees_);
+  }
+
+ private:
+  StemRef ref(std::size_t survey, std::size_t node) const {
+    return {surveys_[survey].inventory->id, static_cast<std::int64_t>(surveys_[survey].stem_of[node])};
+  }
+  const Eigen::Vector2d& place(const StemSighting& s) const { return surveys_[s.survey].list.nodes.at_m[s.node]; }
+  double dbh_cm(const StemSighting& s) const { return surveys_[s.survey].list.nodes.dbh_cm[s.node]; }
+
+  /// DBH at survey k: of the nearest sightings before and after, moved by the stand's growth between.
+  double expected_dbh_cm(const SightedTree& tree, std::size_t k) const {
+    double before = -1.0, after = -1.0;
+    for (const StemSighting& s : tree) {
+      if (dbh_cm(s) <= 0.0) continue;
+      const double then = std::max(1.0, dbh_cm(s) + growth_cm_[k] - growth_cm_[s.survey]);
+      if (s.survey < k) before = then;
+      if (s.survey > k && after < 0.0) after = then;
+    }
+    return before > 0.0 && after > 0.0 ? 0.5 * (before + after) : std::max(before, after);
+  }
+
+  /// How much less likely the tree is in survey k for having been missed next to it in time.
+  double presence_factor(const SightedTree& tree, const Eigen::Vector2d& at, std::size_t k) const {
+    int misses = 1000;
+    const auto count_between = [&](std::size_t from, std::size_t to) {
+      int missed = 0;
+      for (std::size_t m = from + 1; m < to; ++m) missed += surveys_[m].list.support.contains(at) ? 1 : 0;
+      return missed;
+    };
+    bool before = false, after = false;
+    for (const StemSighting& s : tree) {
+      misses = std::min(misses, s.survey < k ? count_between(s.survey, k) : count_between(k, s.survey));
+      before = before || s.survey < k, after = after || s.survey > k;
+    }
+    return before && after ? 1.0 : std::pow(presence_per_miss, misses);
+  }
+
+  Eigen::Vector2d mean_place(const SightedTree& tree) const {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const StemSighting& s : tree) sum += place(s);
+    return sum / static_cast<double>(tree.size());
+  }
+
+  IndexedList tree_list(std::size_t k) const {
+    NodeList nodes;
+    for (std::size_t t = 0; t < trees_.size(); ++t) {
+      nodes.at_m.push_back(mean_place(trees_[t]));
+      nodes.dbh_cm.push_back(expected_dbh_cm(trees_[t], k));
+    }
+    nodes.members.resize(nodes.size());
+    return IndexedList(std::move(nodes));
+  }
+
+  std::size_t tree_with(const StemRef& stem) const {
+    for (std::size_t t = 0; t < trees_.size(); ++t)
+      for (const StemSighting& s : trees_[t])
+        if (ref(s.survey, s.node) == stem) return t;
+    return trees_.size();
+  }
+
+  /// Two trees that a person says are one become one, if no survey has both.
+  void merge_linked(std::size_t k) {
+    if (must_.empty()) return;
+    for (std::size_t node = 0; node < surveys_[k].list.size(); ++node) {
+      const auto found = must_.find(ref(k, node));
+      if (found == must_.end()) continue;
+      std::size_t first = trees_.size();
+      for (const StemRef& partner : found->second) {
+        const std::size_t t = tree_with(partner);
+        if (t == trees_.size() || t == first) continue;
+        if (first == trees_.size()) first = t;
+        else merge(first, t);
+        first = std::min(first, trees_.size() - 1);
+      }
+    }
+  }
+
+  void merge(std::size_t& keep, std::size_t other) {
+    for (const StemSighting& s : trees_[other])
+      for (const StemSighting& r : trees_[keep])
+        if (s.survey == r.survey) return;
+    trees_[keep].insert(trees_[keep].end(), trees_[other].begin(), trees_[other].end());
+    std::sort(trees_[keep].begin(), trees_[keep].end(), [](const StemSighting& p, const StemSighting& q) { return p.survey < q.survey; });
+    trees_.erase(trees_.begin() + static_cast<std::ptrdiff_t>(other));
+    if (other < keep) --keep;
+  }
+
+  MatchConstraints constraints(std::size_t k) const {
+    MatchConstraints result;
+    if (must_.empty() && must_not_.empty()) return result;
+    std::map<StemRef, std::size_t> tree_of;
+    for (std::size_t t = 0; t < trees_.size(); ++t)
+      for (const StemSighting& s : trees_[t]) tree_of[ref(s.survey, s.node)] = t;
+    const auto add = [&](const Partners& partners, std::size_t node, std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+      const auto found = partners.find(ref(k, node));
+      if (found == partners.end()) return;
+      for (const StemRef& partner : found->second)
+        if (const auto tree = tree_of.find(partner); tree != tree_of.end()) pairs.emplace_back(tree->second, node);
+    };
+    for (std::size_t node = 0; node < surveys_[k].list.size(); ++node) add(must_, node, result.must), add(must_not_, node, result.must_not);
+    return result;
+  }
+
+  /// Noise and growth of this step, from matches that are sure.
+  void refit(PoseFit& fit, const IndexedList& trees, const IndexedList& stems, const std::vector<StemMatch>& matches) const {
+    std::vector<double> distance_sq;
+    for (const StemMatch& m : matches)
+      if (m.confidence > 0.9) distance_sq.push_back((trees.nodes.at_m[m.a] - stems.nodes.at_m[m.b]).squaredNorm());
+    if (distance_sq.size() < 8) return;
+    const auto middle = distance_sq.begin() + static_cast<std::ptrdiff_t>(distance_sq.size() / 2);
+    std::nth_element(distance_sq.begin(), middle, distance_sq.end());
+    fit.noise_m = std::max(noise_floor_m_, std::sqrt(*middle / 1.386));  // median of r^2 is 2 ln 2 sigma^2
+  }
+
+  void join(std::size_t k) {
+    merge_linked(k);
+    const IndexedList trees = tree_list(k);
+    const IndexedList& stems = surveys_[k].list;
+    if (trees.size() == 0) return start_trees(k, {});
+    std::vector<std::size_t> all(trees.size());
+    std::iota(all.begin(), all.end(), 0);
+    PoseFit fit{{}, surveys_[k].noise_m, {true, 0.0, 1.0}, 0.0};
+    std::vector<StemMatch> matches;
+    const MatchConstraints fixed = constraints(k);
+    for (int round = 0; round <= noise_rounds; ++round) {
+      fit.dbh = refit_dbh(trees, all, stems, fit);
+      const PoseScore score = score_pose(trees, stems, fit, nullptr);
+      std::vector<double> presence;
+      for (std::size_t t = 0; t < trees_.size(); ++t) presence.push_back(score.share_b * presence_factor(trees_[t], trees.nodes.at_m[t], k));
+      matches = match_stems(trees, stems, fit, score.share_a, score.share_b, presence, fixed);
+      refit(fit, trees, stems, matches);
+    }
+    if (joined_[k] == 0) grow_by(k, fit.dbh.growth_cm);
+    joined_[k] = 1;
+    attach(k, matches, trees);
+  }
+
+  /// The stand's DBH at k and after is larger by what this step found beyond what was expected.
+  void grow_by(std::size_t k, double growth_cm) {
+    for (std::size_t m = k; m < growth_cm_.size(); ++m) growth_cm_[m] += growth_cm;
+  }
+
+  void attach(std::size_t k, const std::vector<StemMatch>& matches, const IndexedList& trees) {
+    const IndexedList& stems = surveys_[k].list;
+    std::vector<std::uint8_t> taken(stems.size(), 0);
+    std::vector<std::pair<std::size_t, StemSighting>> joined;
+    for (const StemMatch& m : matches) {
+      StemSighting s{k, m.b, m.confidence, m.by_hand, {}, 0.0};
+      if (m.second_b) {
+        s.second_choice = ref(k, *m.second_b);
+        s.second_distance_m = (trees.nodes.at_m[m.a] - stems.nodes.at_m[*m.second_b]).norm();
+      } else if (m.second_a) {
+        const StemSighting& other = trees_[*m.second_a].back();
+        s.second_choice = ref(other.survey, other.node);
+        s.second_distance_m = (trees.nodes.at_m[*m.second_a] - stems.nodes.at_m[m.b]).norm();
+      }
+      taken[m.b] = 1;
+      joined.emplace_back(m.a, s);
+    }
+    for (const auto& [tree, sighting] : joined) {
+      auto& list = trees_[tree];
+      list.insert(std::find_if(list.begin(), list.end(), [&](const StemSighting& o) { return o.survey > k; }), sighting);
+    }
+    start_trees(k, taken);
+  }
+
+  void start_trees(std::size_t k, const std::vector<std::uint8_t>& taken) {
+    for (std::size_t node = 0; node < surveys_[k].list.size(); ++node)
+      if (taken.empty() || taken[node] == 0) trees_.push_back({StemSighting{k, node, 1.0, false, {}, 0.0}});
+    joined_[k] = 1;
+  }
+
+  void take_out(std::size_t k) {
+    for (auto& tree : trees_) std::erase_if(tree, [k](const StemSighting& s) { return s.survey == k; });
+    std::erase_if(trees_, [](const SightedTree& tree) { return tree.empty(); });
+  }
+
+  std::span<const PlacedSurvey> surveys_;
+  Partners must_, must_not_;
+  double noise_floor_m_;
+  std::vector<double> growth_cm_;  ///< of the stand since the first survey
+  std::vector<std::uint8_t> joined_ = std::vector<std::uint8_t>(surveys_.size(), 0);
+  std::vector<SightedTree> trees_;
+};
+
+}  // namespace
+
+std::vector<SightedTree> associate_surveys(std::span<const PlacedSurvey> surveys, const AlignHints& hints, double noise_floor_m, const Progress& progress) {
+  return Association(surveys, hints, noise_floor_m).run(progress);
+}
+
+std::vector<Match> consecutive_matches(std::span<const PlacedSurvey> surveys, const std::vector<SightedTree>& trees) {
+  std::vector<Match> matches;
+  const auto ref = [&](const StemSighting& s) { return StemRef{surveys[s.survey].inventory->id, static_cast<std::int64_t>(surveys[s.survey].stem_of[s.node])}; };
+  const auto place = [&](const StemSighting& s) { return surveys[s.survey].list.nodes.at_m[s.node]; };
+  for (const SightedTree& tree : trees)
+    for (std::size_t i = 1; i < tree.size(); ++i) {
+      const StemSighting &before = tree[i - 1], &after = tree[i];
+      const StemSighting& doubtful = before.confidence < after.confidence ? before : after;
+      Match match{ref(before), ref(after), (place(before) - place(after)).norm(), doubtful.confidence, MatchState::automatic, {}, {}};
+      if (before.by_hand || after.by_hand) match.state = MatchState::linked;
+      if (doubtful.second_choice) match.second_choice = doubtful.second_choice, match.second_distance_m = doubtful.second_distance_m;
+      matches.push_back(match);
+    }
+  std::sort(matches.begin(), matches.end(), [](const Match& p, const Match& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+  return matches;
+}
+
+}  // namespace stemwise
