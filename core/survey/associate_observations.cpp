@@ -47,24 +47,13 @@ class GrowingGrid {
 struct Candidate {
   bool reconstructed;
   double distance_sq;
-  std::size_t observation, node;
+  std::size_t observation, node;  ///< when merging: two nodes
 };
 
-/// Reconstructed stems choose first, then the nearest pairs; one-to-one. Per observation of the frame: its tree or `nobody`.
-std::vector<std::size_t> pair_greedily(std::vector<Candidate>& candidates, std::size_t first, std::size_t count) {
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    if (a.reconstructed != b.reconstructed) return a.reconstructed;
-    if (a.distance_sq != b.distance_sq) return a.distance_sq < b.distance_sq;
-    return a.observation != b.observation ? a.observation < b.observation : a.node < b.node;
-  });
-  std::vector<std::size_t> node_of(count, nobody), taken;
-  for (const Candidate& c : candidates) {
-    if (node_of[c.observation - first] != nobody) continue;
-    if (std::find(taken.begin(), taken.end(), c.node) != taken.end()) continue;
-    node_of[c.observation - first] = c.node;
-    taken.push_back(c.node);
-  }
-  return node_of;
+bool best_first(const Candidate& a, const Candidate& b) {
+  if (a.reconstructed != b.reconstructed) return a.reconstructed;
+  if (a.distance_sq != b.distance_sq) return a.distance_sq < b.distance_sq;
+  return a.observation != b.observation ? a.observation < b.observation : a.node < b.node;
 }
 
 class Association {
@@ -82,7 +71,7 @@ class Association {
   std::size_t frames() const { return observations_.first_of_frame.size() - 1; }
   double weight(std::size_t o) const { return observations_.all[o].weight * frame_weight_[observations_.all[o].frame]; }
   bool takes_part(std::size_t o) const { return observations_.all[o].reconstructed || !settings_.only_reconstructed; }
-  std::vector<std::size_t> pair_frame(std::size_t frame) const;
+  std::vector<std::size_t> pair_frame(std::size_t frame);
   void join(std::size_t node, std::size_t observation);
   bool seen_side_by_side(const TreeNode& a, const TreeNode& b) const;
 
@@ -91,10 +80,13 @@ class Association {
   AssociateSettings settings_;
   std::vector<TreeNode> nodes_;
   std::vector<double> total_weight_;
+  std::vector<std::size_t> paired_in_;   ///< per tree, the round of pairing that last gave it an observation
+  std::size_t round_of_pairing_ = 0;
   GrowingGrid grid_;
 };
 
-std::vector<std::size_t> Association::pair_frame(std::size_t frame) const {
+/// Per observation of the frame its tree or `nobody`, one-to-one: reconstructed stems choose first, then the nearest pairs.
+std::vector<std::size_t> Association::pair_frame(std::size_t frame) {
   const std::size_t first = observations_.first_of_frame[frame], last = observations_.first_of_frame[frame + 1];
   std::vector<Candidate> candidates;
   const double limit_sq = settings_.radius_m * settings_.radius_m;
@@ -106,7 +98,16 @@ std::vector<std::size_t> Association::pair_frame(std::size_t frame) const {
       if (distance_sq <= limit_sq) candidates.push_back({observations_.all[o].reconstructed, distance_sq, o, node});
     });
   }
-  return pair_greedily(candidates, first, last - first);
+  std::sort(candidates.begin(), candidates.end(), best_first);
+  std::vector<std::size_t> node_of(last - first, nobody);
+  ++round_of_pairing_;
+  paired_in_.resize(nodes_.size(), 0);
+  for (const Candidate& c : candidates) {
+    if (node_of[c.observation - first] != nobody || paired_in_[c.node] == round_of_pairing_) continue;
+    node_of[c.observation - first] = c.node;
+    paired_in_[c.node] = round_of_pairing_;
+  }
+  return node_of;
 }
 
 /// A running weighted mean: good enough to find the next observation; the robust position comes when all are known.
@@ -172,10 +173,7 @@ void Association::merge_near() {
       const double distance_sq = (nodes_[n].position - nodes_[other].position).squaredNorm();
       if (other > n && distance_sq <= limit_sq) pairs.push_back({true, distance_sq, n, other});
     });
-  std::sort(pairs.begin(), pairs.end(), [](const Candidate& a, const Candidate& b) {
-    if (a.distance_sq != b.distance_sq) return a.distance_sq < b.distance_sq;
-    return a.observation != b.observation ? a.observation < b.observation : a.node < b.node;
-  });
+  std::sort(pairs.begin(), pairs.end(), best_first);
   for (const Candidate& pair : pairs) {
     TreeNode &a = nodes_[pair.observation], &b = nodes_[pair.node];
     if (a.observations.empty() || b.observations.empty() || seen_side_by_side(a, b)) continue;
