@@ -144,7 +144,7 @@ GlobalInventory build_global_inventory(const FrameSet& frames, const GlobalInven
   for (const TreeNode& tree : trees) {
     result.stems.push_back(summarise_tree(tree, context));
     result.stems.back().source_id = "g" + std::to_string(result.stems.size());
-    std::vector<Sighting>& sightings = result.sightings.emplace_back();
+    std::vector<FrameSighting>& sightings = result.sightings.emplace_back();
     for (const std::size_t o : tree.observations)
       sightings.push_back({frames.frames[observations.all[o].frame].number, static_cast<std::int64_t>(observations.all[o].stem)});
   }

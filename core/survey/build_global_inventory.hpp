@@ -44,15 +44,15 @@ struct GlobalInventoryReport {
 };
 
 /// One frame's sighting of a global stem.
-struct Sighting {
+struct FrameSighting {
   std::int64_t frame_number = 0;
   std::int64_t stem = 0;  ///< index into that frame's stems
-  bool operator==(const Sighting&) const = default;
+  bool operator==(const FrameSighting&) const = default;
 };
 
 struct GlobalInventory {
   std::vector<Stem> stems;                        ///< in the survey's frame; source_id "g1", "g2", ... in order of first sighting
-  std::vector<std::vector<Sighting>> sightings;   ///< where each came from, in order of the frames
+  std::vector<std::vector<FrameSighting>> sightings;   ///< where each came from, in order of the frames
   GlobalInventoryReport report;
 };
 
