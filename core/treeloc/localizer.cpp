@@ -4,11 +4,14 @@
 #include <atomic>
 
 #include "core/base/parallel.hpp"
+#include "core/treeloc/published_localizer.hpp"
 #include "core/treeloc/stemwise_localizer.hpp"
 
 namespace stemwise::treeloc {
 
-std::unique_ptr<Localizer> make_localizer(const Settings& settings) { return make_stemwise_localizer(settings); }
+std::unique_ptr<Localizer> make_localizer(const Settings& settings) {
+  return settings.method == Method::stemwise ? make_stemwise_localizer(settings) : make_published_localizer(settings);
+}
 
 std::vector<Localization> localize_all(const Localizer& localizer, std::span<const Scene> queries,
                                        std::span<const std::uint32_t> scene_limits, int threads, const Progress& progress) {

@@ -25,18 +25,18 @@ PlanarPose refine_planar(const Scene& query, const Scene& candidate, std::span<c
   return pose;
 }
 
-/// One equation per row for (dz, roll, pitch): b_C = b_Q + dz - pitch x + roll y, and differences of axes.
+/// Normal equations for (dz, roll, pitch, bias): b_C = b_Q + dz + bias - pitch x + roll y, and differences of axes.
 struct TiltEquations {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  void add(const Eigen::Vector3d& row, double value, double weight) {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  void add(const Eigen::Vector4d& row, double value, double weight) {
     normal += weight * row * row.transpose();
     right += weight * value * row;
   }
 };
 
 struct TiltPair {
-  Eigen::Vector3d height_row;  ///< (1, y, -x) in the candidate's aligned frame
+  Eigen::Vector4d height_row;  ///< (1, y, -x, 1) in the candidate's aligned frame
   double height_difference_m;
   bool has_height, has_axes;
   Eigen::Vector2d axis_difference;
@@ -52,43 +52,53 @@ std::vector<TiltPair> tilt_pairs(const Scene& query, const Scene& candidate, std
     const Eigen::Vector3d at = lifted * q.position_m;
     const bool axes = q.has_axis() && c.has_axis();
     const Eigen::Vector3d difference = c.axis - lifted.rotation * q.axis;
-    out.push_back({{1.0, at.y(), -at.x()}, c.position_m.z() - at.z(), q.has_height && c.has_height, axes, difference.head<2>()});
+    out.push_back({{1.0, at.y(), -at.x(), 1.0}, c.position_m.z() - at.z(), q.has_height && c.has_height, axes, difference.head<2>()});
   }
   return out;
 }
 
-/// (dz, roll, pitch) by reweighted least squares.
-Eigen::Vector3d solve_tilt(const std::vector<TiltPair>& pairs, double displacement_m, bool level_sensor,
-                           const RefinePoseSettings& settings) {
+double median_difference(const std::vector<TiltPair>& pairs) {
   std::vector<double> differences;
   for (const TiltPair& p : pairs) {
     if (p.has_height) differences.push_back(p.height_difference_m);
   }
-  Eigen::Vector3d solution = Eigen::Vector3d::Zero();
-  if (!differences.empty()) {
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    solution[0] = *middle;
-  }
-  const double axis_scale = radians(settings.axis_scale_deg);
+  if (differences.empty()) return 0.0;
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  return *middle;
+}
+
+/// What is known before any tree: scenes are nearly upright; a carried sensor keeps its height, and then it is base heights
+/// that may be off together (method.md, section 12), else they are taken as they are.
+void add_priors(TiltEquations& equations, double dz_m, double displacement_m, bool level_sensor, const RefinePoseSettings& settings) {
+  const double tilt_weight = 1.0 / std::pow(radians(settings.tilt_prior_deg), 2);
+  equations.add({0.0, 1.0, 0.0, 0.0}, 0.0, tilt_weight);
+  equations.add({0.0, 0.0, 1.0, 0.0}, 0.0, tilt_weight);
   const double prior_m = settings.height_prior_m + settings.height_prior_per_m * displacement_m;
+  if (level_sensor) equations.add({1.0, 0.0, 0.0, 0.0}, 0.0, cauchy(dz_m * dz_m, 3.0 * prior_m) / (prior_m * prior_m));
+  const double bias_m = level_sensor ? settings.height_bias_m : 1e-3;
+  equations.add({0.0, 0.0, 0.0, 1.0}, 0.0, 1.0 / (bias_m * bias_m));
+}
+
+/// (dz, roll, pitch, bias) by reweighted least squares.
+Eigen::Vector4d solve_tilt(const std::vector<TiltPair>& pairs, double displacement_m, bool level_sensor, const RefinePoseSettings& settings) {
+  Eigen::Vector4d solution(0.0, 0.0, 0.0, 0.0);
+  (level_sensor ? solution[3] : solution[0]) = median_difference(pairs);
+  const double axis_scale = radians(settings.axis_scale_deg);
+  const double height_weight = 1.0 / (settings.height_scale_m * settings.height_scale_m);
   for (int i = 0; i < settings.iterations; ++i) {
     TiltEquations equations;
-    const double tilt_weight = 1.0 / std::pow(radians(settings.tilt_prior_deg), 2);
-    equations.add({0.0, 1.0, 0.0}, 0.0, tilt_weight);
-    equations.add({0.0, 0.0, 1.0}, 0.0, tilt_weight);
-    if (level_sensor) equations.add({1.0, 0.0, 0.0}, 0.0, cauchy(solution[0] * solution[0], 3.0 * prior_m) / (prior_m * prior_m));
+    add_priors(equations, solution[0], displacement_m, level_sensor, settings);
     for (const TiltPair& p : pairs) {
       if (p.has_height) {
         const double r = p.height_difference_m - p.height_row.dot(solution);
-        equations.add(p.height_row, p.height_difference_m,
-                      cauchy(r * r, settings.height_scale_m) / std::pow(settings.height_scale_m, 2));
+        equations.add(p.height_row, p.height_difference_m, cauchy(r * r, settings.height_scale_m) * height_weight);
       }
       if (p.has_axes) {
         const Eigen::Vector2d r = p.axis_difference - Eigen::Vector2d(solution[2], -solution[1]);
         const double weight = cauchy(r.squaredNorm(), axis_scale) / (axis_scale * axis_scale);
-        equations.add({0.0, 0.0, 1.0}, p.axis_difference.x(), weight);
-        equations.add({0.0, -1.0, 0.0}, p.axis_difference.y(), weight);
+        equations.add({0.0, 0.0, 1.0, 0.0}, p.axis_difference.x(), weight);
+        equations.add({0.0, -1.0, 0.0, 0.0}, p.axis_difference.y(), weight);
       }
     }
     if (equations.normal(0, 0) <= 0.0) equations.normal(0, 0) = 1.0;  // no height anywhere: none is observed
@@ -116,7 +126,7 @@ RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<co
   RefinedPose refined;
   refined.planar = refine_planar(query, candidate, pairs, start, settings);
   const bool level_sensor = settings.height_prior && query.from_frame && candidate.from_frame;
-  const Eigen::Vector3d tilt =
+  const Eigen::Vector4d tilt =
       solve_tilt(tilt_pairs(query, candidate, pairs, refined.planar), refined.planar.displacement_m(), level_sensor, settings);
   const RigidTransform correction{rotation_from({tilt[1], tilt[2], 0.0}), {0.0, 0.0, tilt[0]}};
   const RigidTransform candidate_upright{candidate.aligned_from_scene, Eigen::Vector3d::Zero()};

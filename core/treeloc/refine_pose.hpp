@@ -12,10 +12,11 @@ struct RefinePoseSettings {
   double planar_scale_m = 0.12;
   double height_scale_m = 0.25;
   double axis_scale_deg = 4.0;
-  double tilt_prior_deg = 0.3;
+  double tilt_prior_deg = 1.0;
   bool height_prior = true;
   double height_prior_m = 0.08;
   double height_prior_per_m = 0.04;
+  double height_bias_m = 0.3;
   int iterations = 6;
   Fields fields(const std::string& prefix);
 };

@@ -46,6 +46,12 @@ Issues Settings::check() {
   need(match.fine_m > 0.0 && match.coarse_m >= match.fine_m, "match.coarse_m",
        "must be at least match.fine_m, which must be above 0");
   need(match.steps >= 1, "match.steps", "must be at least 1");
+  need(tdh.radial_bins >= 1 && tdh.dbh_bins >= 1, "tdh.radial_bins", "there must be a bin");
+  need(pdh.bins >= 1 && pdh.longest_m > 0.0, "pdh.bins", "there must be a bin");
+  need(retrieve.verified >= 1 && retrieve.kept_by_histograms >= 1, "retrieve.verified", "must be at least 1");
+  need(outliers.yaw_bin_deg >= 0.1 && outliers.yaw_bin_deg <= 180.0, "outliers.yaw_bin_deg", "must be 0.1 to 180 degrees");
+  need(vertical.sample >= 3 && vertical.trials >= 1, "vertical.sample", "must be at least 3");
+  need(overlap.sigma_t_m > 0.0, "overlap.sigma_t_m", "must be above 0");
   return issues;
 }
 
@@ -59,16 +65,76 @@ Fields Settings::fields() {
   append(all, verify.fields("verify"));
   append(all, refine.fields("refine"));
   append(all, fuse.fields("fuse"));
+  append(all, tdh.fields("tdh"));
+  append(all, pdh.fields("pdh"));
+  append(all, retrieve.fields("retrieve"));
+  append(all, outliers.fields("outliers"));
+  append(all, planar.fields("planar"));
+  append(all, roll_pitch.fields("roll_pitch"));
+  append(all, vertical.fields("vertical"));
+  append(all, overlap.fields("overlap"));
   return all;
 }
+
+namespace {
+
+/// The published presets (method.md, sections 2 and 4).
+void use_plot(Settings& s) {
+  s.scene.min_reconstructed = 15;
+  s.scene.search_radius_m = 5.0;
+  s.scene.dedup_radius_m = 0.4;
+  s.triangles.neighbours = 10;
+  s.triangles.min_side_m = 1.0;
+  s.triangles.step_m = 0.1;
+}
+
+void use_route(Settings& s) {
+  s.scene.min_reconstructed = 10;
+  s.scene.search_radius_m = 10.0;
+  s.scene.dedup_radius_m = 0.1;
+  s.triangles.neighbours = 15;
+  s.triangles.min_side_m = 0.5;
+  s.triangles.step_m = 0.15;
+}
+
+/// What TreeLoc had before TreeLoc++ (method.md, the paper's appendix G).
+void use_predecessor(Settings& s) {
+  s.scene.preceding_frames = 0;
+  s.pdh.enabled = false;
+  s.retrieve.multiset = false;
+  s.outliers.yaw_voting = false;
+  s.planar.irls = false;
+  s.vertical.joint = false;
+  s.overlap.penalty = false;
+}
+
+}  // namespace
 
 Settings settings_for(Method method, const std::string& preset) {
   Settings s;
   s.method = method;
-  (void)preset;
+  s.derive_from_survey = preset == "auto";
+  if (method == Method::stemwise && preset == "auto") return s;
+  s.triangles.area = method != Method::stemwise;
+  s.triangles.orientation = method == Method::stemwise;
+  (preset == "plot" ? use_plot : use_route)(s);
+  if (method == Method::treeloc) use_predecessor(s);
   return s;
 }
 
-Settings resolve_settings(const Settings& settings, const FrameSet&) { return settings; }
+Settings resolve_settings(const Settings& settings, const FrameSet& survey) {
+  if (!settings.derive_from_survey || settings.method == Method::stemwise || survey.frames.empty()) return settings;
+  Eigen::Vector3d low = survey.frames.front().pose.survey_from_frame.translation_m, high = low;
+  for (const Frame& frame : survey.frames) {
+    low = low.cwiseMin(frame.pose.survey_from_frame.translation_m);
+    high = high.cwiseMax(frame.pose.survey_from_frame.translation_m);
+  }
+  constexpr double largest_plot_m = 150.0;
+  Settings resolved = settings;
+  const PrepareSettings asked = settings.scene;
+  ((high - low).head<2>().norm() < largest_plot_m ? use_plot : use_route)(resolved);
+  resolved.scene.preceding_frames = asked.preceding_frames;
+  return resolved;
+}
 
 }  // namespace stemwise::treeloc

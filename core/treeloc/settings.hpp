@@ -5,10 +5,16 @@
 
 #include "core/base/field.hpp"
 #include "core/treeloc/align_axes.hpp"
+#include "core/treeloc/correct_vertical.hpp"
+#include "core/treeloc/estimate_planar_pose.hpp"
+#include "core/treeloc/estimate_roll_pitch.hpp"
 #include "core/treeloc/fuse_poses.hpp"
 #include "core/treeloc/match_trees.hpp"
+#include "core/treeloc/overlap_score.hpp"
 #include "core/treeloc/prepare_scene.hpp"
 #include "core/treeloc/refine_pose.hpp"
+#include "core/treeloc/reject_outliers.hpp"
+#include "core/treeloc/retrieve_scenes.hpp"
 #include "core/treeloc/triangles.hpp"
 #include "core/treeloc/verify_scenes.hpp"
 #include "core/treeloc/vote_scenes.hpp"
@@ -30,11 +36,23 @@ struct Settings {
   PrepareSettings scene;
   AlignAxesSettings axes;
   TriangleSettings triangles;
+  // The default method
   VoteSettings vote;
   MatchTreesSettings match;
   VerifySettings verify;
   RefinePoseSettings refine;
   FusePosesSettings fuse;
+  // The published method
+  TdhSettings tdh;
+  PdhSettings pdh;
+  RetrieveSettings retrieve;
+  RejectOutliersSettings outliers;
+  EstimatePlanarPoseSettings planar;
+  EstimateRollPitchSettings roll_pitch;
+  CorrectVerticalSettings vertical;
+  OverlapScoreSettings overlap;
+  /// "auto": what differs between the published presets is taken from the survey's extent (resolve_settings).
+  bool derive_from_survey = true;
 
   /// All of them under "scene.", "axes.", ...: what `--set` takes.
   Fields fields();
