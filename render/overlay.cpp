@@ -6,7 +6,6 @@
 #include <unordered_set>
 
 #include "render/number_text.hpp"
-#include "render/paint/canvas.hpp"
 
 namespace stemwise::render {
 namespace {
@@ -278,13 +277,8 @@ std::string length_text(double length_m) {
   return length_m >= 0.01 ? number_text(length_m * 100.0, 0) + " cm" : number_text(length_m * 1000.0, 0) + " mm";
 }
 
-Image paint_overlay(const SceneModel& scene, const Projection& projection, const ViewOptions& options) {
-  const PaintedImage picture(projection.size, projection.px_scale);
-  {
-    const Canvas canvas(picture.cairo());
-    OverlayPainter(scene, projection, options, canvas).paint();
-  }
-  return picture.image();
+void paint_overlay(const Canvas& canvas, const SceneModel& scene, const Projection& projection, const ViewOptions& options) {
+  OverlayPainter(scene, projection, options, canvas).paint();
 }
 
 }  // namespace stemwise::render

@@ -174,9 +174,11 @@ std::uint32_t Viewport::render(PixelSize size, double scale) {
   if (!s.renderer) s.renderer = std::make_unique<ViewRenderer>();
   if (!s.has_size() || (!s.is_scene_stale && !s.is_drawing_stale && !s.is_overlay_stale)) return s.renderer->texture();
   const Projection projection = s.now();
+  ViewOptions options = s.options;
+  options.moving |= s.flight.has_value();
   if (s.is_scene_stale) s.renderer->forget_scene();
-  if (s.is_scene_stale || s.is_drawing_stale) s.renderer->draw_scene(s.scene, s.ground, projection, s.options);
-  s.renderer->draw_overlay(s.scene, projection, s.options);
+  if (s.is_scene_stale || s.is_drawing_stale) s.renderer->draw_scene(s.scene, s.ground, projection, options);
+  s.renderer->draw_overlay(s.scene, projection, options);
   s.is_scene_stale = s.is_drawing_stale = s.is_overlay_stale = false;
   return s.renderer->compose(size);
 }

@@ -105,7 +105,7 @@ void Canvas::text(double x, double y, const std::string& words, const TextStyle&
 }
 
 PaintedImage::PaintedImage(PixelSize size, double scale)
-    : size_(size), surface_(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size.width, size.height)), cairo_(cairo_create(surface_)) {
+    : size_(size), scale_(scale), surface_(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size.width, size.height)), cairo_(cairo_create(surface_)) {
   cairo_scale(cairo_, scale, scale);
 }
 
@@ -113,6 +113,14 @@ PaintedImage::~PaintedImage() {
   cairo_destroy(cairo_);
   cairo_surface_destroy(surface_);
 }
+
+std::uint32_t* PaintedImage::words() {
+  cairo_surface_flush(surface_);
+  return reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(surface_));
+}
+
+int PaintedImage::stride_words() const { return cairo_image_surface_get_stride(surface_) / 4; }
+void PaintedImage::mark_changed() { cairo_surface_mark_dirty(surface_); }
 
 Image PaintedImage::image() const {
   cairo_surface_flush(surface_);

@@ -56,10 +56,18 @@ class PaintedImage {
   PaintedImage& operator=(const PaintedImage&) = delete;
 
   cairo_t* cairo() const { return cairo_; }
+  PixelSize size() const { return size_; }
+  double scale() const { return scale_; }
+  /// cairo's words, 0xAARRGGBB with colours times alpha, `stride_words()` per row from the top. Flushes what was painted;
+  /// call mark_changed() after writing.
+  std::uint32_t* words();
+  int stride_words() const;
+  void mark_changed();
   Image image() const;  ///< straight alpha
 
  private:
   PixelSize size_;
+  double scale_;
   cairo_surface_t* surface_;
   cairo_t* cairo_;
 };

@@ -37,6 +37,8 @@ struct ViewRenderer::Impl {
   bool is_map_stale = true, is_space_stale = true, surfaces_stale = true;
   ViewKind surfaces_of_kind = ViewKind::map;
   unsigned int scene_texture = 0;
+  PixelSize scene_size;
+  std::unique_ptr<PaintedImage> overlay;
   bool is_software = false;
 
   void fill_map(const SceneModel& scene, const ViewOptions& options) {
@@ -128,14 +130,23 @@ void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, con
     impl_->stage.look(projection.orbit, projection.size, radius_m);
   }
   impl_->stage.set_layers(impl_->layers(scene, options));
+  impl_->scene_size = size;
   impl_->scene_texture = impl_->stage.render(size, view, theme_colours(options.theme).map);
 }
 
 void ViewRenderer::draw_overlay(const SceneModel& scene, const Projection& projection, const ViewOptions& options) {
-  impl_->compositor.set_overlay(paint_overlay(scene, projection, options));
+  auto& paper = impl_->overlay;
+  if (!paper || paper->size() != projection.size || paper->scale() != projection.px_scale)
+    paper = std::make_unique<PaintedImage>(projection.size, projection.px_scale);
+  {
+    const Canvas canvas(paper->cairo());
+    paint_overlay(canvas, scene, projection, options);
+  }
+  impl_->compositor.take_overlay(paper->words(), paper->stride_words(), projection.size);
+  paper->mark_changed();
 }
 
-std::uint32_t ViewRenderer::compose(PixelSize size) { return impl_->compositor.compose(impl_->scene_texture, size); }
+std::uint32_t ViewRenderer::compose(PixelSize size) { return impl_->compositor.compose(impl_->scene_texture, impl_->scene_size, size); }
 std::uint32_t ViewRenderer::texture() const { return impl_->compositor.texture(); }
 Image ViewRenderer::read() const { return impl_->compositor.read(); }
 std::string ViewRenderer::renderer_name() const { return gl_renderer(); }
