@@ -22,7 +22,8 @@ struct LayerColumn {
 
 enum class LayerGeometry { none, point, line, polygon };
 
-/// One row: its values by column, and its corners in the layer's system (one for a point; a polygon's ring is not closed).
+/// One row: its values by column, and its corners in the layer's system (one for a point; a polygon's ring is not closed); a
+/// height that nobody knows is NaN.
 struct LayerFeature {
   std::vector<LayerValue> values;
   std::vector<Eigen::Vector3d> corners;

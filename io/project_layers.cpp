@@ -1,6 +1,7 @@
 #include "io/project_layers.hpp"
 
 #include <array>
+#include <limits>
 
 #include "io/crs.hpp"
 #include "io/exact_number.hpp"
@@ -9,6 +10,7 @@ namespace stemwise {
 namespace {
 
 constexpr std::array<const char*, layer_kind_count> layer_words = {"trees", "observations", "matches", "links", "inventories", "coverage"};
+constexpr double unknown_height = std::numeric_limits<double>::quiet_NaN();
 constexpr int metre_decimals = 4;
 constexpr int degree_decimals = 9;  // 0.1 mm on the ground
 
@@ -71,7 +73,7 @@ class LayerMaker {
       return;
     }
     f.values.insert(f.values.end(), {LayerValue(p->x()), LayerValue(p->y()), has_z ? LayerValue(p->z()) : LayerValue()});
-    f.corners.push_back({p->x(), p->y(), has_z ? p->z() : 0.0});
+    f.corners.push_back({p->x(), p->y(), has_z ? p->z() : unknown_height});
   }
 
   const std::string& name(InventoryId id) const {
@@ -184,7 +186,7 @@ class LayerMaker {
     if (!with_line || !state_.is_placed(row.a.inventory) || !state_.is_placed(row.b.inventory)) return f;
     const auto a = frame_.target_from_reference(state_.stem_in_reference_m(row.a));
     const auto b = frame_.target_from_reference(state_.stem_in_reference_m(row.b));
-    if (a && b) f.corners = {*a, *b};
+    if (a && b) f.corners = {{a->x(), a->y(), unknown_height}, {b->x(), b->y(), unknown_height}};
     return f;
   }
 
@@ -228,7 +230,7 @@ class LayerMaker {
       LayerFeature f;
       f.values = {LayerValue(name(row.inventory)), LayerValue(row.area_sq_m / 1e4), LayerValue(to_string(row.source))};
       for (const Eigen::Vector2d& corner : row.in_reference.corners_m) {
-        if (const auto p = frame_.target_from_reference({corner.x(), corner.y(), 0.0})) f.corners.push_back({p->x(), p->y(), 0.0});
+        if (const auto p = frame_.target_from_reference({corner.x(), corner.y(), 0.0})) f.corners.push_back({p->x(), p->y(), unknown_height});
       }
       if (f.corners.size() >= 3) l.features.push_back(std::move(f));
     }

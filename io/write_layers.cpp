@@ -15,28 +15,35 @@ char** string_list(const std::vector<std::string>& options) {
   return list;
 }
 
-OGRwkbGeometryType geometry_type(LayerGeometry geometry) {
+/// Every corner has a height; otherwise the layer is flat, and what is known of heights stands in its columns.
+bool is_3d(const Layer& layer) {
+  if (layer.features.empty()) return false;
+  return std::all_of(layer.features.begin(), layer.features.end(), [](const LayerFeature& f) {
+    return std::all_of(f.corners.begin(), f.corners.end(), [](const Eigen::Vector3d& c) { return std::isfinite(c.z()); });
+  });
+}
+
+OGRwkbGeometryType geometry_type(LayerGeometry geometry, bool with_z) {
   switch (geometry) {
     case LayerGeometry::none: return wkbNone;
-    case LayerGeometry::point: return wkbPoint25D;
-    case LayerGeometry::line: return wkbLineString25D;
+    case LayerGeometry::point: return with_z ? wkbPoint25D : wkbPoint;
+    case LayerGeometry::line: return wkbLineString;
     case LayerGeometry::polygon: return wkbPolygon;
   }
   return wkbNone;
 }
 
-std::unique_ptr<OGRGeometry> geometry_of(const Layer& layer, const LayerFeature& feature) {
+std::unique_ptr<OGRGeometry> geometry_of(const Layer& layer, const LayerFeature& feature, bool with_z) {
   const auto& corners = feature.corners;
-  if (corners.empty()) return nullptr;
-  switch (layer.geometry) {
-    case LayerGeometry::none: return nullptr;
-    case LayerGeometry::point: return std::make_unique<OGRPoint>(corners[0].x(), corners[0].y(), corners[0].z());
-    case LayerGeometry::line: {
-      auto line = std::make_unique<OGRLineString>();
-      for (const auto& c : corners) line->addPoint(c.x(), c.y(), c.z());
-      return line;
-    }
-    case LayerGeometry::polygon: break;
+  if (corners.empty() || layer.geometry == LayerGeometry::none) return nullptr;
+  if (layer.geometry == LayerGeometry::point) {
+    if (with_z) return std::make_unique<OGRPoint>(corners[0].x(), corners[0].y(), corners[0].z());
+    return std::make_unique<OGRPoint>(corners[0].x(), corners[0].y());
+  }
+  if (layer.geometry == LayerGeometry::line) {
+    auto line = std::make_unique<OGRLineString>();
+    for (const auto& c : corners) line->addPoint(c.x(), c.y());
+    return line;
   }
   auto ring = std::make_unique<OGRLinearRing>();
   for (const auto& c : corners) ring->addPoint(c.x(), c.y());
@@ -103,8 +110,9 @@ Issues write_layer(GDALDataset& dataset, const Layer& layer, const LayerWriteOpt
   }
   OGRSpatialReference system = system_for(layer);
   const bool needs_system = layer.geometry != LayerGeometry::none && (layer.epsg || geopackage);
+  const bool with_z = is_3d(layer);
   char** list = string_list(creation);
-  OGRLayer* target = dataset.CreateLayer(layer.name.c_str(), needs_system ? &system : nullptr, geometry_type(layer.geometry), list);
+  OGRLayer* target = dataset.CreateLayer(layer.name.c_str(), needs_system ? &system : nullptr, geometry_type(layer.geometry, with_z), list);
   CSLDestroy(list);
   if (target == nullptr) return {failed(layer, "cannot be made")};
   if (!options.geometry_only) {
@@ -116,7 +124,7 @@ Issues write_layer(GDALDataset& dataset, const Layer& layer, const LayerWriteOpt
     for (std::size_t i = 0; i < row.values.size() && !options.geometry_only; ++i) {
       set_value(feature, static_cast<int>(i), row.values[i], layer.columns[i], options.round_values);
     }
-    feature.SetGeometryDirectly(geometry_of(layer, row).release());
+    feature.SetGeometryDirectly(geometry_of(layer, row, with_z).release());
     if (target->CreateFeature(&feature) != OGRERR_NONE) return {failed(layer, "a row cannot be written")};
   }
   return {};

@@ -1,0 +1,254 @@
+#include "io/export_layer.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "io/crs.hpp"
+#include "io/gdal_session.hpp"
+#include "io/layer_text.hpp"
+#include "io/replace_file.hpp"
+#include "io/write_layers.hpp"
+
+namespace stemwise {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How a suffix is written.
+struct Format {
+  std::string suffix;
+  const char* driver;          ///< of GDAL; "" for our own text
+  bool every_layer = false;    ///< holds several layers
+  bool wgs84 = false;          ///< geometry must be longitude and latitude
+  bool needs_geometry = false; ///< cannot hold a table without geometry
+};
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> list = {{".gpkg", "GPKG", true},
+                                           {".geojson", "GeoJSON", false, true},
+                                           {".json", "GeoJSON", false, true},
+                                           {".csv", ""},
+                                           {".tsv", ""},
+                                           {".txt", ""},
+                                           {".shp", "ESRI Shapefile", false, false, true},
+                                           {".fgb", "FlatGeobuf"},
+                                           {".kml", "KML", false, true, true},
+                                           {".gpx", "GPX", false, true, true},
+                                           {".dxf", "DXF", false, false, true},
+                                           {".xlsx", "XLSX", true},
+                                           {".ods", "ODS", true}};
+  return list;
+}
+
+const Format* format_of(const std::string& path) {
+  std::string suffix = fs::path(path).extension().string();
+  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto it = std::find_if(formats().begin(), formats().end(), [&](const Format& f) { return f.suffix == suffix; });
+  return it == formats().end() ? nullptr : &*it;
+}
+
+Result<Done> refused(const std::string& path, std::string text, std::string help) {
+  return Result<Done>::failure(Issue{Severity::error, path, 0, {}, std::move(text), std::move(help)});
+}
+
+Result<Done> named(Issues issues, const std::string& path) {
+  for (Issue& issue : issues) {
+    if (issue.file.empty()) issue.file = path;
+  }
+  return Result<Done>::failure(std::move(issues));
+}
+
+/// Key and value of everything that an export should say about itself.
+Layer about(const ProjectState& state, const EarthFrame& frame) {
+  Layer layer;
+  layer.name = "metadata";
+  layer.title = "About this export";
+  layer.columns = {{"key", ColumnType::text, 0, {}}, {"value", ColumnType::text, 0, {}}};
+  const auto add = [&layer](std::string key, std::string value) { layer.features.push_back({{std::move(key), std::move(value)}, {}}); };
+  add("software", "Stemwise");
+  add("project", state.title);
+  add("coordinate_system", frame.epsg() ? crs_name(*frame.epsg()) + " (EPSG:" + std::to_string(*frame.epsg()) + ")" : "local, reference's frame, m");
+  add("georeference", state.georeference.method);
+  add("fusion", to_string(state.fusion));
+  if (const Inventory* reference = state.find(state.reference)) add("reference", reference->name);
+  for (const auto& [id, a] : state.alignments) {
+    const Inventory* inventory = state.find(id);
+    if (inventory == nullptr || id == state.reference) continue;
+    add("alignment of " + inventory->name, std::string(to_string(a.status)) + ", matched " + std::to_string(a.matched) + ", residual RMS " +
+                                                std::to_string(a.residual_rms_m) + " m, overlap " + std::to_string(a.overlap));
+  }
+  for (const auto& [key, value] : state.settings) add("setting " + key, value);
+  return layer;
+}
+
+Layer data_dictionary(const std::vector<Layer>& layers) {
+  Layer dictionary;
+  dictionary.name = "data_dictionary";
+  dictionary.title = "What every column means";
+  dictionary.columns = {{"layer", ColumnType::text, 0, {}}, {"column", ColumnType::text, 0, {}}, {"meaning", ColumnType::text, 0, {}}};
+  for (const Layer& layer : layers) {
+    for (const LayerColumn& column : layer.columns) dictionary.features.push_back({{layer.name, column.name, column.description}, {}});
+  }
+  return dictionary;
+}
+
+/// GPX knows waypoints with a name and a description only.
+Layer waypoints(const Layer& layer) {
+  Layer out = layer;
+  out.name = "waypoints";
+  out.columns = {{"name", ColumnType::text, 0, {}}, {"desc", ColumnType::text, 0, {}}};
+  for (LayerFeature& f : out.features) {
+    std::string description;
+    for (std::size_t i = 0; i < layer.columns.size(); ++i) {
+      const std::string& column = layer.columns[i].name;
+      if (column != "dbh_cm" && column != "species" && column != "fate" && column != "note" && column != "inventory") continue;
+      Layer cell;
+      cell.columns = {layer.columns[i]};
+      cell.features = {{{f.values[i]}, {}}};
+      std::string text = layer_text(cell, {});
+      text = text.substr(text.find('\n') + 1);
+      text.pop_back();
+      if (!text.empty()) description += (description.empty() ? "" : ", ") + column + " " + text;
+    }
+    const LayerValue name = f.values.front();
+    f.values = {name, description};
+  }
+  return out;
+}
+
+/// Puts the geometry of `from` on the rows of `layer`.
+bool take_geometry(Layer& layer, const Layer& from) {
+  if (layer.features.size() != from.features.size()) return false;
+  for (std::size_t i = 0; i < layer.features.size(); ++i) layer.features[i].corners = from.features[i].corners;
+  layer.epsg = from.epsg;
+  return true;
+}
+
+Result<std::vector<Layer>> layers_for(const ProjectState& state, const Format& format, const ExportOptions& options) {
+  using Layers = Result<std::vector<Layer>>;
+  auto frame = EarthFrame::of(state.georeference, options.epsg);
+  if (!frame) return Layers::failure(frame.issues);
+  if (format.wgs84 && frame->is_local()) {
+    return Layers::failure(Issue{Severity::error, {}, 0, {}, format.suffix + " needs a place on the earth and the project has no georeference",
+                                 "give it an anchor, control points or a CRS (stemwise georeference), or export .gpkg or .csv in local coordinates"});
+  }
+  const Tables tables = derive_tables(state);
+  std::vector<Layer> layers;
+  if (!options.layer && format.every_layer) layers = project_layers(state, tables, *frame);
+  else layers.push_back(project_layer(options.layer.value_or(LayerKind::trees), state, tables, *frame));
+  if (format.wgs84 && *frame->epsg() != wgs84_epsg) {
+    const auto earth = EarthFrame::of(state.georeference, wgs84_epsg);
+    if (!earth) return Layers::failure(earth.issues);
+    const LayerKind kind = options.layer.value_or(LayerKind::trees);
+    if (!take_geometry(layers.front(), project_layer(kind, state, tables, *earth))) {
+      return Layers::failure(Issue{Severity::error, {}, 0, {}, "some rows have no place in the target system", {}});
+    }
+  }
+  if (layers.front().geometry == LayerGeometry::none && format.needs_geometry && layers.size() == 1) {
+    return Layers::failure(Issue{Severity::error, {}, 0, {}, "layer " + layers.front().name + " has no geometry and cannot be written as " + format.suffix,
+                                 "export .csv, .xlsx or .gpkg"});
+  }
+  if (format.suffix == ".gpx") layers.front() = waypoints(layers.front());
+  if (layers.size() > 1) {
+    const Layer dictionary = data_dictionary(layers);
+    layers.push_back(dictionary);
+    layers.push_back(about(state, *frame));
+  }
+  return layers;
+}
+
+std::string date_of_stamp() { return timestamp_utc().substr(0, 10); }
+
+LayerWriteOptions layer_options(const Format& format) {
+  LayerWriteOptions o;
+  const std::string_view driver = format.driver;
+  o.spatial_index = driver == "GPKG";
+  o.short_names = driver == "ESRI Shapefile";
+  o.geometry_only = driver == "DXF";
+  o.round_values = driver != "GPKG" && driver != "FlatGeobuf";
+  if (driver == "GeoJSON") o.creation = {"RFC7946=YES", "COORDINATE_PRECISION=9", "SIGNIFICANT_FIGURES=15"};
+  if (driver == "ESRI Shapefile") o.creation = {"ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=" + date_of_stamp()};
+  return o;
+}
+
+/// Makes the data set at `target`; failures as issues.
+Issues write_dataset(const Format& format, const std::vector<Layer>& layers, const std::string& target, GdalMessages& messages) {
+  std::vector<std::string> creation;
+  if (std::string_view(format.driver) == "KML") creation = {"NameField=tree_id"};
+  DatasetPtr dataset = create_dataset(format.driver, target, creation);
+  const auto failure = [&messages](const std::string& what) {
+    return Issues{{Severity::error, {}, 0, {}, "cannot be written: " + (messages.errors().empty() ? what : messages.last_error()),
+                   "check the folder, its rights and the space left"}};
+  };
+  if (!dataset) return failure("the file cannot be made");
+  const bool transaction = dataset->TestCapability(ODsCTransactions) != 0;
+  if (transaction) dataset->StartTransaction();
+  for (const Layer& layer : layers) {
+    if (Issues issues = write_layer(*dataset, layer, layer_options(format)); !issues.empty()) return issues;
+  }
+  if (transaction && dataset->CommitTransaction() != OGRERR_NONE) return failure("the file is not complete");
+  dataset.reset();
+  return messages.errors().empty() ? Issues{} : failure("the file is not complete");
+}
+
+/// A Shapefile is several files: all of them are written into a folder beside and then moved one by one.
+Result<Done> write_several_files(const Format& format, const std::vector<Layer>& layers, const std::string& path, GdalMessages& messages) {
+  const fs::path folder = temporary_beside(path) + "-parts";
+  std::error_code error;
+  fs::remove_all(folder, error);
+  if (!fs::create_directory(folder, error)) return refused(path, "cannot be written: " + error.message(), "check the folder and its rights");
+  std::vector<Layer> renamed = layers;
+  renamed.front().name = fs::path(path).stem().string();
+  Issues issues = write_dataset(format, renamed, (folder / fs::path(path).filename()).string(), messages);
+  Result<Done> done = issues.empty() ? Result<Done>(Done{}) : named(std::move(issues), path);
+  for (const auto& part : issues.empty() && done ? fs::directory_iterator(folder) : fs::directory_iterator()) {
+    const fs::path final = fs::path(path).parent_path() / part.path().filename();
+    if (auto moved = replace_file(part.path().string(), final.string()); !moved) done = moved;
+  }
+  fs::remove_all(folder, error);
+  return done;
+}
+
+}  // namespace
+
+const std::vector<std::string>& export_suffixes() {
+  static const std::vector<std::string> suffixes = [] {
+    std::vector<std::string> list;
+    for (const Format& f : formats()) list.push_back(f.suffix);
+    return list;
+  }();
+  return suffixes;
+}
+
+Result<Done> export_layer(const ProjectState& state, const std::string& path, const ExportOptions& options) {
+  const Format* format = format_of(path);
+  if (format == nullptr) {
+    std::string all;
+    for (const std::string& suffix : export_suffixes()) all += (all.empty() ? "" : ", ") + suffix;
+    return refused(path, "the suffix names no format that can be written", "choose one of " + all);
+  }
+  GdalMessages messages;
+  auto layers = layers_for(state, *format, options);
+  if (!layers) return named(std::move(layers.issues), path);
+  if (std::string_view(format->driver).empty()) {
+    TextTableStyle style;
+    style.decimal_comma = options.decimal_comma;
+    style.delimiter = options.delimiter.value_or(format->suffix == ".tsv" ? '\t' : options.decimal_comma ? ';' : ',');
+    return write_text_file(path, layer_text(layers->front(), style));
+  }
+  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc());
+  const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
+  if (format->suffix == ".shp") return write_several_files(*format, *layers.value, path, messages);
+  const std::string temporary = temporary_beside(path);
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  if (Issues issues = write_dataset(*format, *layers.value, temporary, messages); !issues.empty()) {
+    fs::remove(temporary, ignored);
+    fs::remove(temporary + "-journal", ignored);
+    return named(std::move(issues), path);
+  }
+  return replace_file(temporary, path);
+}
+
+}  // namespace stemwise

@@ -1,0 +1,202 @@
+#include "io/export_layer.hpp"
+
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "io/crs.hpp"
+#include "tests/io/sample_project.hpp"
+
+namespace stemwise {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class ExportLayerTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    GDALAllRegister();
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / ("stemwise-" + std::to_string(::getpid()) + "-" + info->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string bytes(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  std::string first_line(const std::string& name) const {
+    const std::string text = bytes(name);
+    return text.substr(0, text.find('\n'));
+  }
+  std::size_t files_left() const {
+    std::size_t n = 0;
+    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++n;
+    return n;
+  }
+  fs::path folder_;
+  ProjectState state_ = sample_project();
+};
+
+ProjectState without_georeference() {
+  ProjectState state = sample_project();
+  state.georeference = {};
+  return state;
+}
+
+TEST_F(ExportLayerTest, CsvHasTheColumnsOfTheContract) {
+  const auto header_of = [&](LayerKind kind) {
+    ExportOptions options;
+    options.layer = kind;
+    const auto done = export_layer(state_, path("e.csv"), options);
+    EXPECT_TRUE(done) << to_string(done.issues.front());
+    return first_line("e.csv");
+  };
+  EXPECT_EQ(header_of(LayerKind::trees),
+            "tree_id,x,y,z,lon,lat,height,position_sd_m,dbh_cm,dbh_source,species,fate,first_seen,last_seen,times_seen,dbh_2019_cm,dbh_2023_cm,"
+            "growth_cm_per_year,flags,note,edited_by");
+  EXPECT_EQ(header_of(LayerKind::observations), "tree_id,inventory,source_id,x,y,z,dbh_cm,dbh_error_cm,fate,residual_m,confidence,flags");
+  const std::string matches =
+      "tree_id,inventory_a,source_id_a,inventory_b,source_id_b,distance_m,dbh_a_cm,dbh_b_cm,dbh_change_cm,years,growth_cm_per_year,change_class,"
+      "confidence,state,flags";
+  EXPECT_EQ(header_of(LayerKind::matches), matches);
+  EXPECT_EQ(header_of(LayerKind::links), matches);
+  EXPECT_EQ(header_of(LayerKind::inventories), "name,date,trees,status,overlap,residual,pose");
+  EXPECT_EQ(header_of(LayerKind::coverage), "inventory,area_ha,source,wkt");
+}
+
+TEST_F(ExportLayerTest, EveryFormatIsReadBackByGdalWithEveryTree) {
+  const auto trees = static_cast<GIntBig>(derive_tables(state_).trees.size());
+  for (const std::string suffix : {".gpkg", ".geojson", ".csv", ".tsv", ".shp", ".fgb", ".kml", ".gpx", ".dxf", ".xlsx", ".ods"}) {
+    const std::string file = path("out" + suffix);
+    const auto done = export_layer(state_, file);
+    ASSERT_TRUE(done) << suffix << ": " << to_string(done.issues.front());
+    auto* dataset = GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR);
+    ASSERT_NE(dataset, nullptr) << suffix;
+    OGRLayer* layer = suffix == ".gpx" ? dataset->GetLayerByName("waypoints") : dataset->GetLayer(0);
+    ASSERT_NE(layer, nullptr) << suffix;
+    EXPECT_EQ(layer->GetFeatureCount(), trees) << suffix;
+    GDALClose(dataset);
+  }
+}
+
+TEST_F(ExportLayerTest, CoordinatesInTheUtmZoneAreTheAnchorsWithinAMillimetre) {
+  ASSERT_TRUE(export_layer(state_, path("t.gpkg")));
+  auto* dataset = GDALDataset::Open(path("t.gpkg").c_str(), GDAL_OF_VECTOR);
+  OGRLayer* layer = dataset->GetLayerByName("trees");
+  EXPECT_STREQ(layer->GetSpatialRef()->GetAuthorityCode(nullptr), "32756");
+  const Tables tables = derive_tables(state_);
+  std::size_t i = 0;
+  for (const auto& feature : *layer) {
+    const OGRPoint* p = feature->GetGeometryRef()->toPoint();
+    const auto g = geodetic_from_reference(state_.georeference, tables.trees[i].position_m);
+    const auto utm = utm_from_geodetic(g, state_.georeference.origin);  // GeographicLib against PROJ
+    ASSERT_TRUE(utm);
+    EXPECT_NEAR(p->getX(), utm->easting_m, 1e-3);
+    EXPECT_NEAR(p->getY(), utm->northing_m, 1e-3);
+    EXPECT_NEAR(feature->GetFieldAsDouble("x"), utm->easting_m, 1e-3);
+    EXPECT_NEAR(feature->GetFieldAsDouble("lat"), g.latitude_deg, 1e-9);
+    ++i;
+  }
+  EXPECT_EQ(i, tables.trees.size());
+  GDALClose(dataset);
+}
+
+TEST_F(ExportLayerTest, GeoJsonIsLongitudeAndLatitudeWithinAMillimetre) {
+  ASSERT_TRUE(export_layer(state_, path("t.geojson")));
+  auto* dataset = GDALDataset::Open(path("t.geojson").c_str(), GDAL_OF_VECTOR);
+  OGRLayer* layer = dataset->GetLayer(0);
+  const auto to_utm = CrsTransform::between(wgs84_epsg, 32756);
+  for (const auto& feature : *layer) {
+    const OGRPoint* p = feature->GetGeometryRef()->toPoint();
+    const auto back = (*to_utm)({p->getX(), p->getY(), 0.0});
+    ASSERT_TRUE(back);
+    EXPECT_NEAR(back->x(), feature->GetFieldAsDouble("x"), 1e-3);
+    EXPECT_NEAR(back->y(), feature->GetFieldAsDouble("y"), 1e-3);
+  }
+  GDALClose(dataset);
+}
+
+TEST_F(ExportLayerTest, AGivenSystemIsUsed) {
+  ExportOptions options;
+  options.epsg = 28356;  // GDA94 / MGA zone 56
+  ASSERT_TRUE(export_layer(state_, path("t.gpkg"), options));
+  auto* dataset = GDALDataset::Open(path("t.gpkg").c_str(), GDAL_OF_VECTOR);
+  EXPECT_STREQ(dataset->GetLayerByName("trees")->GetSpatialRef()->GetAuthorityCode(nullptr), "28356");
+  GDALClose(dataset);
+  options.epsg = 999999;
+  EXPECT_FALSE(export_layer(state_, path("u.gpkg"), options));
+}
+
+TEST_F(ExportLayerTest, WithoutAGeoreferenceCoordinatesAreLocalAndMapFormatsAreRefusedWithTheReason) {
+  const ProjectState state = without_georeference();
+  ASSERT_TRUE(export_layer(state, path("t.csv")));
+  ASSERT_TRUE(export_layer(state, path("t.gpkg")));
+  for (const char* name : {"t.geojson", "t.kml", "t.gpx"}) {
+    const auto done = export_layer(state, path(name));
+    ASSERT_FALSE(done) << name;
+    EXPECT_THAT(done.issues.front().text, HasSubstr("georeference")) << name;
+    EXPECT_FALSE(fs::exists(path(name)));
+  }
+  ExportOptions options;
+  options.epsg = 32756;
+  EXPECT_FALSE(export_layer(state, path("u.csv"), options));
+  auto* dataset = GDALDataset::Open(path("t.gpkg").c_str(), GDAL_OF_VECTOR);
+  const auto* system = dataset->GetLayerByName("trees")->GetSpatialRef();
+  EXPECT_TRUE(system == nullptr || system->IsLocal());
+  GDALClose(dataset);
+}
+
+TEST_F(ExportLayerTest, ARerunGivesTheSameBytes) {
+  ::setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
+  for (const std::string suffix : {".gpkg", ".geojson", ".csv", ".shp", ".fgb", ".kml", ".gpx", ".dxf"}) {
+    ASSERT_TRUE(export_layer(state_, path("a" + suffix)));
+    const std::string first = bytes("a" + suffix);
+    ASSERT_TRUE(export_layer(state_, path("a" + suffix)));
+    EXPECT_TRUE(first == bytes("a" + suffix)) << suffix;
+  }
+  ::unsetenv("SOURCE_DATE_EPOCH");
+}
+
+TEST_F(ExportLayerTest, DecimalCommaAndDelimiterAreAsAsked) {
+  ExportOptions options;
+  options.decimal_comma = true;
+  options.layer = LayerKind::observations;
+  ASSERT_TRUE(export_layer(state_, path("t.csv"), options));
+  EXPECT_THAT(first_line("t.csv"), HasSubstr("tree_id;inventory"));
+  EXPECT_THAT(bytes("t.csv"), testing::ContainsRegex(";[0-9]+,[0-9]{4};"));
+}
+
+TEST_F(ExportLayerTest, WhatCannotBeWrittenIsAFailureAndLeavesNothing) {
+  for (const std::string suffix : {".gpkg", ".geojson", ".csv", ".shp", ".fgb", ".kml", ".xlsx", ".dxf", ".what"}) {
+    EXPECT_FALSE(export_layer(state_, path("no/such/folder/t" + suffix))) << suffix;
+  }
+  fs::create_directories(path("taken.csv"));
+  EXPECT_FALSE(export_layer(state_, path("taken.csv")));
+  EXPECT_EQ(files_left(), 1U);
+}
+
+TEST_F(ExportLayerTest, ShortColumnNamesStayUnique) {
+  auto* dataset = (export_layer(state_, path("t.shp")), GDALDataset::Open(path("t.shp").c_str(), GDAL_OF_VECTOR));
+  ASSERT_NE(dataset, nullptr);
+  std::set<std::string> names;
+  auto* definition = dataset->GetLayer(0)->GetLayerDefn();
+  for (int i = 0; i < definition->GetFieldCount(); ++i) names.insert(definition->GetFieldDefn(i)->GetNameRef());
+  EXPECT_EQ(static_cast<int>(names.size()), definition->GetFieldCount());
+  EXPECT_EQ(definition->GetFieldCount(), 21);
+  GDALClose(dataset);
+}
+
+}  // namespace
+}  // namespace stemwise
