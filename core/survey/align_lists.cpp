@@ -50,7 +50,7 @@ void keep_distinct(std::vector<ScoredPose>& best, const ScoredPose& found) {
 }
 
 ScoredPose fit_in_scene(const Search& s, const Scene& scene, const PlanarPose& pose, const DbhModel& model) {
-  PoseFit fit = refine_pose(s.a, scene.nodes, s.b, {pose, start_sigma_in_cells * s.vote.cell_m, model, 0.0}, s.settings.noise_floor_m);
+  PoseFit fit = refine_pose(s.a, scene.nodes, s.b, {pose, start_sigma_in_cells * scene.cell_m, model, 0.0}, s.settings.noise_floor_m);
   fit.dbh = refit_dbh(s.a, scene.nodes, s.b, fit);
   fit = refine_pose(s.a, scene.nodes, s.b, fit, s.settings.noise_floor_m);
   return {fit, score_pose(s.a, s.b, fit, scene.whole_list ? nullptr : &scene)};
@@ -132,11 +132,6 @@ double mirror_score(const IndexedList& a, const IndexedList& b, const SearchPlan
   Search search{decoy, b, settings, vote, {}, 0};
   search_all(search, mirrored_plan, scenes, false, {}, progress, "searching poses of the mirror image");
   return best_of(search.best, 0);
-}
-
-VoteSettings vote_settings(const IndexedList& a, const ListHints& hints, const ListSettings& settings, int threads) {
-  const bool small = a.size() <= static_cast<std::size_t>(settings.whole_list_stems);
-  return {small ? settings.cell_m : settings.coarse_cell_m, settings.peaks, threads, hints.rough_pose};
 }
 
 /// The pose that two or more pairs named by a person ask for, by least squares.
@@ -257,7 +252,7 @@ void fill_acceptance(ListAlignment& result, const Search& search, double mirror,
 ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings, int threads, const Progress& progress) {
   SearchPlan plan{query_scenes(a, settings), dbh_bank(hints.years, a.any_dbh && b.any_dbh), 0.0};
   plan.log_poses = log_poses_tried(b, plan.scenes, plan.bank.size(), hints.rough_pose);
-  Search search{a, b, settings, vote_settings(a, hints, settings, threads), {}, 0};
+  Search search{a, b, settings, VoteSettings{settings.peaks, threads, hints.rough_pose}, {}, 0};
   ListAlignment result;
   if (const auto by_hand = pose_by_hand(a, b, hints, settings)) {
     search.best.push_back(*by_hand);

@@ -1,6 +1,7 @@
 #include "core/survey/assign_sparse.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -15,7 +16,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 class Assignment {
  public:
   Assignment(std::size_t lefts, std::size_t rights, std::span<const AssignmentEdge> edges)
-      : edges_(edges), start_(lefts + 1, 0), chosen_(lefts, none), holder_(rights, none), u_(lefts, 0.0), v_(rights, 0.0), distance_(rights, infinite), reached_by_(rights, none) {
+      : edges_(edges), start_(lefts + 1, 0), chosen_(lefts, none), holder_(rights, none), u_(lefts, 0.0), v_(rights, 0.0), distance_(rights, infinite), reached_by_(rights, none), settled_(rights, 0) {
     for (const auto& e : edges)
       if (e.gain > 0.0) ++start_[e.left + 1];
     for (std::size_t l = 0; l < lefts; ++l) start_[l + 1] += start_[l];
@@ -42,7 +43,8 @@ class Assignment {
   void relax(std::size_t left, double at, Queue& queue) {
     for (std::size_t k = start_[left]; k < start_[left + 1]; ++k) {
       const std::size_t edge = of_left_[k], right = edges_[edge].right;
-      const double distance = at + reduced(edge);
+      if (settled_[right] != 0) continue;
+      const double distance = at + std::max(0.0, reduced(edge));  // rounding must not make a step pay
       if (distance >= distance_[right]) continue;
       if (distance_[right] == infinite) touched_.push_back(right);
       distance_[right] = distance;
@@ -64,13 +66,14 @@ class Assignment {
     while (!queue.empty()) {
       const auto [at, right] = queue.top();
       queue.pop();
-      if (at > distance_[right]) continue;
+      if (settled_[right] != 0 || at > distance_[right]) continue;
       if (at >= alone_at) break;
       if (holder_[right] == none) {
         end = right;
         break;
       }
       settled.push_back(right);
+      settled_[right] = 1;
       const std::size_t left = holder_[right];
       if (at - u_[left] < alone_at) alone_at = at - u_[left], alone = left;
       relax(left, at, queue);
@@ -82,7 +85,7 @@ class Assignment {
       v_[right] += distance_[right] - total;
     }
     move_seats(first, end, alone);
-    for (const std::size_t right : touched_) distance_[right] = infinite;
+    for (const std::size_t right : touched_) distance_[right] = infinite, settled_[right] = 0;
     touched_.clear();
   }
 
@@ -109,6 +112,7 @@ class Assignment {
   std::vector<std::size_t> holder_;      ///< per right: its left
   std::vector<double> u_, v_, distance_;
   std::vector<std::size_t> reached_by_;  ///< per right: the edge of the shortest path
+  std::vector<std::uint8_t> settled_;
   std::vector<std::size_t> touched_;
 };
 

@@ -4,9 +4,11 @@ namespace stemwise {
 
 Fields ListSettings::fields() {
   return {{"lists.merge_radius_m", "m", "Stems closer than this are treated as one place while poses are searched.", &merge_radius_m},
-          {"lists.cell_m", "m", "Size of a cell of the vote for lists of up to lists.whole_list_stems stems.", &cell_m},
+          {"lists.cell_m", "m", "Size of a cell of the vote for lists of up to lists.scene_stems stems.", &cell_m},
+          {"lists.middle_cell_m", "m", "Size of a cell of the vote for lists of up to lists.whole_list_stems stems.", &middle_cell_m},
           {"lists.coarse_cell_m", "m", "Size of a cell of the vote for larger lists.", &coarse_cell_m},
           {"lists.whole_list_stems", "", "Up to this many stems the whole list is the query.", &whole_list_stems},
+          {"lists.first_scenes", "", "Scenes that are asked before such a whole list.", &first_scenes},
           {"lists.scenes", "", "A larger list asks with at most this many scenes.", &scenes},
           {"lists.scene_stems", "", "Stems of one scene.", &scene_stems},
           {"lists.peaks", "", "Peaks of the vote that are refined and scored.", &peaks},

@@ -240,7 +240,7 @@ std::vector<PosePeak> distinct_peaks(std::vector<CellPeak> found, const Grid& gr
 
 std::vector<PosePeak> vote_poses(const IndexedList& a, const Scene& scene, const IndexedList& b, const DbhModel& model, const VoteSettings& settings, const Progress& progress) {
   if (scene.nodes.size() < 2 || b.size() < 2) return {};
-  const Grid grid = grid_for(scene, b, settings.cell_m);
+  const Grid grid = grid_for(scene, b, scene.cell_m);
   const auto voters = voters_of(a, scene, b, model, grid);
   const Chance chance = chance_of(voters, grid, settings, progress);
   const auto yaws = yaws_to_try(scene, grid.cell_m, settings.window);

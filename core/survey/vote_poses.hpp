@@ -22,7 +22,6 @@ struct PosePeak {
 };
 
 struct VoteSettings {
-  double cell_m = 0.4;
   int peaks = 60;
   int threads = 0;
   std::optional<PoseWindow> window;
