@@ -102,7 +102,7 @@ ExitCode run_align(const AlignOptions& options, Session& session) {
   session.console.end_progress();
   const ExitCode verdict = judge(project.state(), session.console);
   if (verdict == ExitCode::done) {
-    const Result<Done> written = write_project(options.output, project.state());
+    const Result<Done> written = write_project(project.state(), options.output);
     session.console.issues(written.issues);
     if (!written) return ExitCode::failed;
   }
