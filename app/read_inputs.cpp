@@ -101,7 +101,7 @@ std::vector<std::string> inventory_names(const std::vector<std::string>& paths) 
 
 ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& overrides, Session& session, const Progress& progress) {
   ReadInputs read;
-  const std::vector<std::string> names = inventory_names(paths);
+  const std::vector<std::string> names = overrides.names.size() == paths.size() ? overrides.names : inventory_names(paths);
   const OverrideReader reader(names, read.usage);
   reader.check("--map", overrides.map, true);
   reader.check("--unit", overrides.unit, true);
