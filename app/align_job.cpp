@@ -1,6 +1,6 @@
 #include "app/align_job.hpp"
 
-#include "core/survey/outline_coverage.hpp"
+#include "core/survey/coverage.hpp"
 
 namespace stemwise {
 namespace {
@@ -22,7 +22,7 @@ AlignOutcome align_project(const ProjectState& state, const AlignSettings& setti
   outcome.alignment = align_surveys(inventories, state.reference, settings, hints, progress);
   for (const Inventory* inventory : inventories) {
     progress.check();
-    outcome.coverages.emplace_back(inventory->id, outline_coverage(*inventory));
+    outcome.coverages.emplace_back(inventory->id, estimate_coverage(*inventory));
   }
   return outcome;
 }
