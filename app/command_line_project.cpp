@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/command_registry.hpp"
+#include "app/commands/batch.hpp"
 #include "app/commands/georeference.hpp"
 #include "app/commands/project_commands.hpp"
 #include "app/commands/simulate.hpp"
@@ -84,6 +85,22 @@ void add_simulate(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) 
   command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_simulate(*options, session); }; });
 }
 
+void add_batch(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
+  CLI::App& command = add_command(root, common, "batch", "Align many plots; a failed one stops nothing, a rerun does only what changed");
+  const auto options = std::make_shared<BatchOptions>();
+  const auto shard = std::make_shared<std::string>();
+  command.add_option("MANIFEST", options->manifest, "CSV with plot,path and optionally name,date,reference")->required();
+  command.add_option("-o,--output", options->folder, "Folder for the results")->required();
+  command.add_option("--shard", *shard, "K/N: every N-th plot, beginning with the K-th");
+  command.callback([options, shard, &chosen] {
+    char end = 0;
+    if (!shard->empty() && std::sscanf(shard->c_str(), "%d/%d%c", &options->shard, &options->shards, &end) != 2) {
+      throw CLI::ValidationError("--shard", "expected K/N, for example 1/4");
+    }
+    chosen.run = [options](Session& session) { return run_batch(*options, session); };
+  });
+}
+
 }  // namespace
 
 void add_project_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
@@ -92,6 +109,7 @@ void add_project_commands(CLI::App& root, CommonOptions& common, ChosenCommand& 
   add_report(root, common, chosen);
   add_snapshot(root, common, chosen);
   add_simulate(root, common, chosen);
+  add_batch(root, common, chosen);
 }
 
 }  // namespace stemwise
