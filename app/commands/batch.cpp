@@ -9,6 +9,7 @@
 
 #include "app/align_json.hpp"
 #include "app/align_run.hpp"
+#include "app/read_inputs.hpp"
 #include "io/project_file.hpp"
 #include "io/read_manifest.hpp"
 #include "io/write_inventory.hpp"
