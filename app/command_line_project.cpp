@@ -4,12 +4,26 @@
 
 #include "app/command_registry.hpp"
 #include "app/commands/batch.hpp"
+#include "app/commands/export.hpp"
 #include "app/commands/georeference.hpp"
 #include "app/commands/project_commands.hpp"
 #include "app/commands/simulate.hpp"
 
 namespace stemwise {
 namespace {
+
+void add_export(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
+  CLI::App& command = add_command(root, common, "export", "Layers of a project for other programs; the suffix says the format");
+  const auto options = std::make_shared<ExportCommandOptions>();
+  command.add_option("PROJECT", options->project, "Project file")->required();
+  command.add_option("-o,--output", options->output, "File to write: gpkg, geojson, csv, tsv, shp, fgb, kml, gpx, dxf, xlsx, ods")->required();
+  command.add_option("--layer", options->layer,
+                     "trees (default), observations, matches, links, inventories or coverage; GPKG and XLSX take all when none is named");
+  command.add_option("--crs", options->crs, "EPSG:N (default: that of the georeference, else local coordinates)");
+  command.add_flag("--decimal-comma", options->decimal_comma, "1,5 instead of 1.5 in CSV");
+  command.add_option("--delimiter", options->delimiter, "Between the fields of CSV (default: comma)");
+  command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_export(*options, session); }; });
+}
 
 void add_report(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   CLI::App& command = add_command(root, common, "report", "Growth report of a project: .html, .pdf or .csv");
@@ -106,6 +120,7 @@ void add_batch(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
 void add_project_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   add_georeference(root, common, chosen);
   add_merge(root, common, chosen);
+  add_export(root, common, chosen);
   add_report(root, common, chosen);
   add_snapshot(root, common, chosen);
   add_simulate(root, common, chosen);
