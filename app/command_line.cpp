@@ -78,6 +78,7 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   root.footer(exit_codes);
   add_common(root, common);
   add_reading_commands(root, common, chosen);
+  add_project_commands(root, common, chosen);
   add_evaluate_commands(root, common, chosen);
   root.require_subcommand(1);
   try {

@@ -20,6 +20,7 @@ CLI::App& add_command(CLI::App& root, CommonOptions& common, const char* name, c
 
 // Each adds its group of subcommands; command_line.cpp calls them in the order of cli.md.
 void add_reading_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);
+void add_project_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);
 void add_evaluate_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);
 
 }  // namespace stemwise

@@ -99,16 +99,15 @@ std::vector<std::string> inventory_names(const std::vector<std::string>& paths) 
   return names;
 }
 
-ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& overrides, Session& session) {
+ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& overrides, Session& session, const Progress& progress) {
   ReadInputs read;
-  const std::vector<std::string> names = inventory_names(paths);
+  const std::vector<std::string> names = overrides.names.size() == paths.size() ? overrides.names : inventory_names(paths);
   const OverrideReader reader(names, read.usage);
   reader.check("--map", overrides.map, true);
   reader.check("--unit", overrides.unit, true);
   std::vector<ReadOptions> options;
   for (const std::string& name : names) options.push_back(options_for(name, overrides, reader, read.usage));
   if (has_error(read.usage)) return read;
-  const Progress progress = session.progress();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     progress.at(static_cast<double>(i) / static_cast<double>(paths.size()), "Reading " + names[i]);
     options[i].threads = session.common.threads;
@@ -117,7 +116,6 @@ ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverride
     read.inputs.push_back(std::move(input));
     progress.check();
   }
-  session.console.end_progress();
   return read;
 }
 

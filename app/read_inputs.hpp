@@ -27,6 +27,6 @@ struct ReadInputs {
   std::vector<ReadInput> inputs;
   Issues usage;
 };
-ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& options, Session& session);
+ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverrides& overrides, Session& session, const Progress& progress);
 
 }  // namespace stemwise

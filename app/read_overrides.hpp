@@ -7,6 +7,7 @@ namespace stemwise {
 /// What a person says about the inputs where their headers do not (cli.md, "Overrides"), as typed: each may begin with
 /// "NAME:" to speak of one inventory only.
 struct ReadOverrides {
+  std::vector<std::string> names;        ///< instead of those from the paths; empty: from the paths
   std::vector<std::string> map;          ///< x=Easting
   std::vector<std::string> unit;         ///< dbh=mm
   std::vector<std::string> sheet;        ///< NAME

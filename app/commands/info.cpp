@@ -8,7 +8,8 @@
 namespace stemwise {
 
 ExitCode run_info(const InfoOptions& options, Session& session) {
-  const ReadInputs read = read_inputs(options.paths, options.read, session);
+  const ReadInputs read = read_inputs(options.paths, options.read, session, session.progress());
+  session.console.end_progress();
   session.console.issues(read.usage);
   if (has_error(read.usage)) return ExitCode::usage;
   for (const ReadInput& input : read.inputs) {

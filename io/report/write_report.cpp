@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+
+#include "io/write_whole_file.hpp"
 
 namespace stemwise {
 namespace {
@@ -15,23 +16,15 @@ Result<Done> not_writable(const std::string& path) {
   return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written", "does the folder exist, and may you write there?"});
 }
 
-/// `fill` writes to the path it is given; what it wrote takes the place of `path` only when it is complete.
-template <class Fill>
-Result<Done> replace_file(const std::string& path, Fill fill) {
+/// cairo writes files itself: beside `path`, renamed only when complete.
+Result<Done> replace_pdf(const std::string& path, const ReportDocument& document) {
   const std::string beside = path + ".part" + std::to_string(getpid());
   std::error_code code;
-  const bool complete = fill(beside);
+  const bool complete = static_cast<bool>(write_report_pdf(beside, document));
   if (complete) fs::rename(beside, path, code);
   if (complete && !code) return Done{};
   fs::remove(beside, code);
   return not_writable(path);
-}
-
-bool write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  return static_cast<bool>(out);
 }
 
 }  // namespace
@@ -40,14 +33,12 @@ Result<Done> write_report(const std::string& path, const ReportDocument& documen
   std::string suffix = fs::path(path).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".html" || suffix == ".htm") {
-    return replace_file(path, [&](const std::string& to) { return write_text(to, report_html(document)); });
+    return write_whole_file(path, report_html(document));
   }
   if (suffix == ".csv") {
-    return replace_file(path, [&](const std::string& to) { return write_text(to, report_csv(document)); });
+    return write_whole_file(path, report_csv(document));
   }
-  if (suffix == ".pdf") {
-    return replace_file(path, [&](const std::string& to) { return static_cast<bool>(write_report_pdf(to, document)); });
-  }
+  if (suffix == ".pdf") return replace_pdf(path, document);
   return Result<Done>::failure(Issue{Severity::error, path, 0, "", "'" + suffix + "' is no format of a report", "use .html, .pdf or .csv"});
 }
 

@@ -9,7 +9,7 @@
 #include "core/base/random.hpp"
 #include "core/project/commands.hpp"
 #include "core/project/project.hpp"
-#include "core/survey/outline_coverage.hpp"
+#include "core/survey/coverage.hpp"
 #include "core/survey/report_model.hpp"
 #include "io/report/write_report.hpp"
 
@@ -68,7 +68,7 @@ ProjectState three_surveys() {
   project.execute(add_inventory(survey("2019", 2019, 400, 0.014, 3)));
   project.execute(add_inventory(survey("2023", 2023, 385, 0.029, 4)));
   std::vector<std::pair<InventoryId, Coverage>> coverages;
-  for (const auto& inventory : project.state().inventories) coverages.emplace_back(inventory->id, outline_coverage(*inventory));
+  for (const auto& inventory : project.state().inventories) coverages.emplace_back(inventory->id, estimate_coverage(*inventory));
   project.execute(apply_alignment(alignment_of(project.state(), 380), coverages));
   return project.state();
 }

@@ -1,0 +1,98 @@
+#include "app/align_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/align_job.hpp"
+#include "app/hint_file.hpp"
+#include "app/load_inventories.hpp"
+#include "core/project/commands.hpp"
+
+namespace stemwise {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+ExitCode add_all(std::vector<Inventory> inventories, const AlignOptions& options, Project& project, Console& console) {
+  for (Inventory& inventory : inventories) project.execute(add_inventory(std::move(inventory)));
+  if (options.reference.empty()) return ExitCode::done;
+  const Inventory* reference = project.state().find(options.reference);
+  if (reference == nullptr) {
+    std::string names;
+    for (const auto& inventory : project.state().inventories) names += (names.empty() ? "" : ", ") + inventory->name;
+    console.error("--reference " + options.reference + ": there is no inventory of that name (there are " + names + ")");
+    return ExitCode::usage;
+  }
+  if (reference->id != project.state().reference) project.execute(set_reference(reference->id));
+  return ExitCode::done;
+}
+
+AlignSettings settings_of(const AlignOptions& options, const Session& session) {
+  AlignSettings settings;
+  settings.seed = session.common.seed;
+  settings.threads = session.common.threads;
+  settings.accept_probable = options.accept_probable;
+  return settings;
+}
+
+void remember_settings(const Session& session, Project& project) {
+  for (const auto& [key, value] : given_settings(session.common).values) project.execute(set_setting(key, value));
+}
+
+ExitCode read_hints(const AlignOptions& options, const Project& project, Console& console, AlignHints& hints) {
+  if (options.hint.empty()) return ExitCode::done;
+  Result<AlignHints> read = read_hint_file(options.hint, project.state());
+  console.issues(read.issues);
+  if (!read) return ExitCode::unusable_input;
+  hints = std::move(*read);
+  return ExitCode::done;
+}
+
+AlignRun ended(ExitCode code) {
+  AlignRun run;
+  run.code = code;
+  return run;
+}
+
+}  // namespace
+
+AlignRun run_alignment(const AlignOptions& options, Session& session) {
+  const Clock::time_point start = Clock::now();
+  AlignRun run;
+  AlignSettings settings = settings_of(options, session);
+  if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return ended(code);
+  const Progress progress = session.progress();
+  LoadedInventories loaded = load_inventories(options.inventories, options.read, session, progress.stage(0.0, 0.3));
+  if (loaded.code != ExitCode::done) return ended(loaded.code);
+  const double read_s = seconds_since(start);
+  if (const ExitCode code = add_all(std::move(loaded.inventories), options, run.project, session.console); code != ExitCode::done) return ended(code);
+  remember_settings(session, run.project);
+  AlignHints hints;
+  if (const ExitCode code = read_hints(options, run.project, session.console, hints); code != ExitCode::done) return ended(code);
+
+  AlignOutcome outcome = align_project(run.project.state(), settings, hints, progress.stage(0.3, 0.95));
+  run.timing = outcome.alignment.timing;
+  session.console.end_progress();
+  for (const std::string& note : outcome.alignment.notes) session.console.say("note: " + note);
+  run.project.execute(apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages)));
+  run.tables = derive_tables(run.project.state());
+  run.seed = settings.seed;
+  run.timing.read_s = read_s;
+  run.timing.total_s = seconds_since(start);
+  return run;
+}
+
+ExitCode judge_alignment(const ProjectState& state, Console& console) {
+  const auto is_aligned = [](const auto& entry) { return entry.second.status == AlignmentStatus::aligned; };
+  const bool any = std::any_of(state.alignments.begin(), state.alignments.end(), is_aligned);
+  for (const auto& [id, alignment] : state.alignments) {
+    if (alignment.status != AlignmentStatus::failed && alignment.status != AlignmentStatus::probable) continue;
+    const std::string line = state.find(id)->name + " was not aligned: " + alignment.reason +
+                             (alignment.status == AlignmentStatus::probable ? " (--accept-probable takes the pose as it is)" : "");
+    any ? console.warn(line) : console.error(line);
+  }
+  return any ? ExitCode::done : ExitCode::failed;
+}
+
+}  // namespace stemwise

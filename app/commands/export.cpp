@@ -1,0 +1,57 @@
+#include "app/commands/export.hpp"
+
+#include <cstdio>
+
+#include "app/commands/open_project.hpp"
+#include "io/crs.hpp"
+#include "io/export_layer.hpp"
+
+namespace stemwise {
+namespace {
+
+/// What the options mean; nothing, after having said why, when they mean nothing.
+std::optional<ExportOptions> export_options(const ExportCommandOptions& given, Console& console) {
+  ExportOptions options;
+  options.decimal_comma = given.decimal_comma;
+  if (!given.layer.empty()) {
+    options.layer = layer_kind_from(given.layer);
+    if (!options.layer) {
+      console.error("--layer " + given.layer + ": expected trees, observations, matches, links, inventories or coverage");
+      return std::nullopt;
+    }
+  }
+  if (!given.crs.empty()) {
+    int epsg = 0;
+    char end = 0;
+    const bool read = std::sscanf(given.crs.c_str(), "EPSG:%d%c", &epsg, &end) == 1 || std::sscanf(given.crs.c_str(), "epsg:%d%c", &epsg, &end) == 1;
+    if (!read || !is_known_epsg(epsg)) {
+      console.error("--crs " + given.crs + ": expected EPSG:N of a system that there is, for example EPSG:25832");
+      return std::nullopt;
+    }
+    options.epsg = epsg;
+  }
+  if (given.delimiter == "tab" || given.delimiter == "\\t") {
+    options.delimiter = '\t';
+  } else if (given.delimiter.size() == 1) {
+    options.delimiter = given.delimiter.front();
+  } else if (!given.delimiter.empty()) {
+    console.error("--delimiter " + given.delimiter + ": expected one character, or tab");
+    return std::nullopt;
+  }
+  return options;
+}
+
+}  // namespace
+
+ExitCode run_export(const ExportCommandOptions& given, Session& session) {
+  const std::optional<ExportOptions> options = export_options(given, session.console);
+  if (!options) return ExitCode::usage;
+  const std::optional<Project> project = open_project(given.project, session);
+  if (!project) return ExitCode::unusable_input;
+  session.progress().check();
+  const Result<Done> written = export_layer(project->state(), given.output, *options);
+  session.console.issues(written.issues);
+  return written ? ExitCode::done : ExitCode::failed;
+}
+
+}  // namespace stemwise
