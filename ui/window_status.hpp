@@ -64,6 +64,10 @@ struct WindowStatus {
   std::vector<LegendEntry> legend;
   std::string legend_caption;               ///< "DBH, cm"
   std::string home_folder, working_folder;
+  std::vector<std::string> places;          ///< folders used lately
+  std::string version;
+  std::string renderer;                     ///< GL_RENDERER
+  std::string measure_text;                 ///< what the measuring tool has to say
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing
   bool aligned_by_current_inputs = true;    ///< false: inventories or decisions changed since the last alignment
   bool can_read_tables = true;
