@@ -11,6 +11,7 @@ namespace stemwise::ui {
 /// Everything a panel reads while one frame is drawn, and where it puts what the person asked for.
 struct Frame {
   const Project& project;
+  std::uint64_t revision;  ///< of the project; unique over all projects of this window
   const Derived& derived;  ///< may be of an earlier revision for a moment
   const WindowStatus& status;
   const Availabilities& available;

@@ -99,6 +99,10 @@ void Shell::draw(Frame& frame) {
   Widgets& w = impl_->widgets;
   w.registry.begin_frame();
   if (frame.view.dialog == Dialog::none) run_keys(frame.available, frame.requests);
+  if (frame.view.dialog == Dialog::none && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    frame.view.tool = Tool::select;
+    frame.view.blink = false;
+  }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const Layout layout = lay_out(w, frame.view, size.x, size.y);
   ImGui::SetNextWindowPos({0, 0});

@@ -37,6 +37,11 @@ struct ViewportPicture {
   int height_px = 0;
 };
 
+/// A line over the picture, in its pixels.
+struct OverlayLine {
+  double x0_px = 0.0, y0_px = 0.0, x1_px = 0.0, y1_px = 0.0;
+};
+
 /// Words for what the mouse is over in the viewport.
 struct HoverCard {
   double x_px = 0.0, y_px = 0.0;  ///< of the stem, in the picture
@@ -67,10 +72,9 @@ struct WindowStatus {
   std::vector<std::string> places;          ///< folders used lately
   std::string version;
   std::string renderer;                     ///< GL_RENDERER
+  std::optional<OverlayLine> measure_line;
   std::string measure_text;                 ///< what the measuring tool has to say
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing
-  bool aligned_by_current_inputs = true;    ///< false: inventories or decisions changed since the last alignment
-  bool can_read_tables = true;
 
   const JobView* running() const {
     for (const JobView& job : jobs) {

@@ -8,8 +8,8 @@ namespace stemwise::ui {
 
 void EditLogTab::draw(Widgets& w, Frame& frame) {
   const std::vector<EditLogEntry>& log = frame.state().edit_log;
-  if (revision_ != frame.project.revision() || filtered_by_ != filter_) {
-    revision_ = frame.project.revision();
+  if (revision_ != frame.revision || filtered_by_ != filter_) {
+    revision_ = frame.revision;
     filtered_by_ = filter_;
     rows_.clear();
     for (std::size_t i = log.size(); i-- > 0;) {

@@ -38,8 +38,8 @@ std::string problem_of(const Georeference& g) {
 }  // namespace
 
 void MergePanel::draw(Widgets& w, Frame& frame) {
-  if (loaded_ != frame.project.revision()) {
-    loaded_ = frame.project.revision();
+  if (loaded_ != frame.revision) {
+    loaded_ = frame.revision;
     load(frame.state().georeference);
   }
   w.text("Merge and georeference", TextRole::title);

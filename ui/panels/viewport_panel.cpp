@@ -124,6 +124,15 @@ void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
 }
 
 void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
+  if (frame.status.measure_line) {
+    const OverlayLine& line = *frame.status.measure_line;
+    const ImVec2 a{rect.x + static_cast<float>(line.x0_px), rect.y + static_cast<float>(line.y0_px)};
+    const ImVec2 b{rect.x + static_cast<float>(line.x1_px), rect.y + static_cast<float>(line.y1_px)};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddLine(a, b, w.tokens().accent.packed(), w.px(2));
+    draw->AddCircleFilled(a, w.px(4), w.tokens().accent.packed());
+    draw->AddCircleFilled(b, w.px(4), w.tokens().accent.packed());
+  }
   std::string text;
   if (frame.view.tool == Tool::link) text = "Click the stem that is the same tree as " + stem_label(frame.state(), frame.view.link_from) + ".  Esc: never mind";
   if (frame.view.tool == Tool::measure) text = frame.status.measure_text;
