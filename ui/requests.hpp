@@ -8,6 +8,7 @@
 #include "core/geodesy/georeference.hpp"
 #include "core/project/project_state.hpp"
 #include "ui/actions/action.hpp"
+#include "ui/charts.hpp"
 #include "ui/geometry.hpp"
 
 namespace stemwise::ui {
@@ -41,6 +42,8 @@ struct Leave { bool save; };
 struct RoughPose { InventoryId inventory; double x_m, y_m, yaw_deg, radius_m; };
 struct Export { std::string path, layer; int epsg = 0; bool decimal_comma = false; bool semicolon = false; };
 struct WriteReport { std::string path; double area_ha = 0.0; };
+/// A panel shows this chart at this size; the mouse is over it at x, y (negative: it is not).
+struct ShowChart { Chart chart; int width_px, height_px; double x_px = -1.0, y_px = -1.0; bool clicked = false; };
 /// The mouse over the map or the 3D view, in pixels of the picture from its upper left corner.
 struct Pointer {
   double x_px = 0, y_px = 0;
@@ -60,7 +63,7 @@ using Request =
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::SetGeoreference, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,
                  request::DismissNotices, request::Recover, request::Leave, request::RoughPose, request::Export, request::WriteReport,
-                 request::Pointer>;
+                 request::ShowChart, request::Pointer>;
 
 /// Filled while a frame is drawn, emptied by `app` after it.
 class Requests {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/issue.hpp"
+#include "ui/charts.hpp"
 #include "ui/geometry.hpp"
 
 namespace stemwise::ui {
@@ -64,6 +65,7 @@ struct WindowStatus {
   std::vector<JobView> jobs;                ///< newest first
   std::vector<Notice> notices;              ///< newest first
   ViewportPicture viewport;
+  ChartViews charts;                        ///< those that were asked for
   std::optional<HoverCard> hover;           ///< of the stem under the mouse, else of the selected one
   std::string cursor_local, cursor_projected, cursor_geographic;
   std::vector<LegendEntry> legend;

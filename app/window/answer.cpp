@@ -45,6 +45,10 @@ struct Answer {
   }
   void operator()(const request::Export& r) const { export_layer(m, r); }
   void operator()(const request::WriteReport& r) const { write_report(m, r); }
+  void operator()(const request::ShowChart& r) const {
+    const std::vector<TreeId> trees = m.charts.show(r, m.document, m.view, m.scale);
+    if (!trees.empty()) select_tree(m, trees.front(), true);
+  }
   void operator()(const request::Pointer& r) const {
     const auto pick = m.viewport.pointer(r, m.view);
     if (r.clicked && m.view.tool != ui::Tool::measure) {

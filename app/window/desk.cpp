@@ -37,7 +37,6 @@ struct Desk::Parts {
   std::string config_folder;
   double now_s = 0.0;
   bool moving = false;
-  float scale = 1.0f;
   int busy_frames = 3;  ///< frames to draw after news: ImGui needs two to settle
 };
 
@@ -83,7 +82,7 @@ void Desk::offer_recovery() {
 }
 
 bool Desk::prepare(float display_scale) {
-  parts_->scale = display_scale * static_cast<float>(model_->view.zoom_percent / 100.0);
+  model_->scale = display_scale * static_cast<float>(model_->view.zoom_percent / 100.0);
   return parts_->shell.prepare(model_->view, display_scale);
 }
 
@@ -94,7 +93,7 @@ void Desk::frame(double elapsed_s) {
   WindowModel& m = *model_;
   m.viewport.update(m.document, m.view, parts_->now_s);
   parts_->moving = m.viewport.advance(elapsed_s, m.view);
-  m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), parts_->scale);
+  m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), model_->scale);
   refresh_status();
   draw();
 }
@@ -133,6 +132,7 @@ void Desk::refresh_status() {
   s.working_folder = m.preferences.working_folder.empty() ? s.home_folder : m.preferences.working_folder;
   s.places.clear();
   if (!m.preferences.working_folder.empty()) s.places.push_back(m.preferences.working_folder);
+  s.charts = m.charts.views();
   m.viewport.describe(m.document, m.view, s);
 }
 
@@ -143,9 +143,11 @@ void Desk::draw() {
   ui::Frame frame{m.document.project(), m.document.revision(), m.document.derived(), m.status, available, m.view, requests};
   parts_->shell.draw(frame);
   for (const ui::Request& request : requests.take()) {
-    if (!std::holds_alternative<ui::request::Pointer>(request)) parts_->busy_frames = 3;
+    const bool every_frame = std::holds_alternative<ui::request::Pointer>(request) || std::holds_alternative<ui::request::ShowChart>(request);
+    if (!every_frame) parts_->busy_frames = 3;
     answer(m, request);
   }
+  if (m.charts.take_news()) parts_->busy_frames = 2;
   parts_->busy_frames = std::max(0, parts_->busy_frames - 1);
 }
 

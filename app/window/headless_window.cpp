@@ -169,6 +169,8 @@ void HeadlessWindow::wheel(float notches) {
   frames(2);
 }
 
+void HeadlessWindow::hold_ctrl(bool held) { ImGui::GetIO().KeyCtrl = held; }
+
 void HeadlessWindow::press(ui::KeyChord chord) {
   ImGuiIO& io = ImGui::GetIO();
   io.KeyCtrl = chord.ctrl;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/window/chart_host.hpp"
 #include "app/window/document.hpp"
 #include "app/window/job_runner.hpp"
 #include "app/window/notice_list.hpp"
@@ -24,6 +25,8 @@ struct WindowModel {
   Preferences preferences;
   NoticeList notices;
   ViewportHost viewport;
+  ChartHost charts;
+  float scale = 1.0f;                              ///< of the interface just now
   std::vector<AlignHints::RoughPose> rough_poses;  ///< given by a person, for every later run
   std::function<void()> after_leaving;             ///< what waits until changes are saved or given up
   std::optional<std::chrono::steady_clock::time_point> saved_at;

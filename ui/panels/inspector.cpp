@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/panels/chart_view.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise::ui {
@@ -48,7 +49,8 @@ void Inspector::draw(Widgets& w, Frame& frame) {
   draw_confidence(w, frame, *tree);
   draw_history(w, frame, *tree);
   w.section("DBH over time");
-  draw_dbh_chart(w, frame, tree->tree, w.px(150));
+  const Rect chart = w.next_rect(w.available_width(), w.px(150));
+  draw_chart(w, frame, Chart::tree_history, chart, "review/chart");
   w.paragraph(growth_sentence(frame, *tree), TextRole::table, Tone::secondary);
   draw_buttons(w, frame);
   draw_alternatives(w, frame, *tree);

@@ -23,7 +23,4 @@ class Inspector {
   std::string note_;
 };
 
-/// DBH over time with its error bars: a plot of the given height at the cursor.
-void draw_dbh_chart(Widgets& w, const Frame& frame, TreeId tree, float height_px);
-
 }  // namespace stemwise::ui
