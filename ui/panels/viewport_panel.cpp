@@ -121,6 +121,7 @@ void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
     w.text_in({plate.x + w.px(12), plate.y + w.px(27), width, w.px(18)}, card.detail, TextRole::table, card.warning ? Tone::warning : Tone::secondary);
   }
   w.record("viewport/hover", plate, card.title);
+  w.record("viewport/tree", {rect.x + static_cast<float>(card.x_px), rect.y + static_cast<float>(card.y_px), 0, 0}, card.title);
 }
 
 void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
