@@ -1,6 +1,7 @@
 #include "ui/shell.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -131,7 +132,6 @@ void Shell::Impl::draw_body(Frame& frame, const Layout& l) {
     return;
   }
   viewport = l.middle;
-  draw_splitters(frame, l);
   draw_left(frame, l.left);
   draw_right(frame, l.right);
   if (l.bottom.height > 0) {
@@ -145,6 +145,7 @@ void Shell::Impl::draw_body(Frame& frame, const Layout& l) {
   widgets.hairline(l.left.right() - 1, l.left.y, l.left.right(), l.left.bottom());
   widgets.hairline(l.right.x, l.right.y, l.right.x + 1, l.right.bottom());
   if (l.bottom.height > 0) widgets.hairline(l.bottom.x, l.bottom.y, l.bottom.right(), l.bottom.y + 1);
+  draw_splitters(frame, l);
 }
 
 void Shell::Impl::draw_splitters(Frame& frame, const Layout& l) {
@@ -189,7 +190,10 @@ void Shell::Impl::draw_right(Frame& frame, const Rect& rect) {
 
 void Shell::Impl::draw_dialogs(Frame& frame) {
   switch (frame.view.dialog) {
-    case Dialog::none: break;
+    case Dialog::none:
+      // A modal popup that nobody draws any more would go on blocking the mouse.
+      if (ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, false);
+      break;
     case Dialog::palette: palette.draw(widgets, frame); break;
     case Dialog::keys: draw_keys_sheet(widgets, frame); break;
     case Dialog::about: draw_about(widgets, frame); break;

@@ -60,7 +60,12 @@ Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>())
 
 Desk::~Desk() {
   model_->jobs.cancel_all();
-  if (parts_->autosave && !model_->document.is_dirty()) parts_->autosave->forget();
+  if (!parts_->autosave || (model_->document.is_dirty() && !model_->wants_close)) return;
+  while (model_->jobs.is_busy()) {
+    model_->jobs.wait_for_news();
+    model_->jobs.poll();
+  }
+  parts_->autosave->forget();
 }
 
 void Desk::open_given(const std::vector<std::string>& paths) {
@@ -152,7 +157,8 @@ void Desk::draw() {
 }
 
 double Desk::seconds_to_next_frame() const {
-  if (parts_->busy_frames > 0 || parts_->moving || model_->viewport.viewport().is_dirty()) return 0.0;
+  if (parts_->busy_frames > 0 || parts_->moving) return 0.0;
+  if (parts_->shell.viewport_rect().width > 0 && model_->viewport.viewport().is_dirty()) return 0.0;
   if (!model_->notices.all().empty() && model_->notices.all().front().age_s < 10.0) return 0.5;
   if (model_->jobs.is_busy()) return 0.2;
   return 10.0;

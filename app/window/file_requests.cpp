@@ -73,14 +73,14 @@ JobVerdict take_project(WindowModel& m, const std::string& path, Result<ProjectS
 JobVerdict take_saved(WindowModel& m, const std::string& path, std::uint64_t revision, const Result<Done>& written) {
   if (!written) {
     m.notices.add_issues(file_name(path) + " could not be written; the project is unchanged", written.issues);
-    m.after_leaving = nullptr;
+    m.leaves_after_saving = false;
     return {false, "not written"};
   }
   m.document.set_path(path);
   m.document.mark_saved(revision);
   m.preferences.remember_project(path);
   m.saved_at = std::chrono::steady_clock::now();
-  if (m.after_leaving && !m.document.is_dirty()) std::exchange(m.after_leaving, nullptr)();
+  if (std::exchange(m.leaves_after_saving, false) && m.after_leaving && !m.document.is_dirty()) std::exchange(m.after_leaving, nullptr)();
   return {true, "written to " + path};
 }
 
@@ -188,6 +188,7 @@ void leave_then(WindowModel& m, std::function<void()> next) {
 void answer_leave(WindowModel& m, bool save_first) {
   m.view.dialog = ui::Dialog::none;
   if (save_first) {
+    m.leaves_after_saving = true;
     save(m);
   } else if (m.after_leaving) {
     std::exchange(m.after_leaving, nullptr)();

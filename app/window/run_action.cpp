@@ -17,8 +17,8 @@ bool run_file_action(WindowModel& m, ActionId action) {
     case file_open: leave_then(m, [&m] { m.view.dialog = ui::Dialog::open_project; }); return true;
     case file_add: m.view.dialog = ui::Dialog::add_inventories; return true;
     case file_demo: leave_then(m, [&m] { add_demo(m); }); return true;
-    case file_save: save(m); return true;
-    case file_save_as: m.view.dialog = ui::Dialog::save_project; return true;
+    case file_save: m.leaves_after_saving = false; save(m); return true;
+    case file_save_as: m.leaves_after_saving = false; m.view.dialog = ui::Dialog::save_project; return true;
     case file_quit: leave_then(m, [&m] { m.wants_close = true; }); return true;
     default: return false;
   }

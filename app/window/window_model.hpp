@@ -29,6 +29,7 @@ struct WindowModel {
   float scale = 1.0f;                              ///< of the interface just now
   std::vector<AlignHints::RoughPose> rough_poses;  ///< given by a person, for every later run
   std::function<void()> after_leaving;             ///< what waits until changes are saved or given up
+  bool leaves_after_saving = false;
   std::optional<std::chrono::steady_clock::time_point> saved_at;
   std::string autosave_folder;
   std::string recovered_file;                      ///< what the recovery dialog is about

@@ -57,7 +57,7 @@ key 2
 click align/run
 await steps/2 "all aligned"
 ctrl h   # an entry of the undo history says that the alignment is one
-await history/3 ! ""
+await history/2 ! ""
 key Escape
 click tabs/Matches
 click matches/row/40

@@ -22,7 +22,6 @@ void ViewportPanel::draw_picture(Widgets& w, Frame& frame, const Rect& rect) {
                                          {rect.right(), rect.bottom()}, {0, 1}, {1, 0});
   }
   ImGui::SetCursorScreenPos({rect.x, rect.y});
-  ImGui::SetItemAllowOverlap();
   ImGui::InvisibleButton("viewport", {std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
   ImGui::SetItemAllowOverlap();
