@@ -60,6 +60,14 @@ ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, co
   return ExitCode::failed;
 }
 
+/// `stemwise [FILE...]` is `stemwise gui [FILE...]`.
+std::vector<std::string> with_command(std::vector<std::string> arguments, const CLI::App& root) {
+  const bool opens_files = !arguments.empty() && !arguments.front().starts_with("-") && root.get_subcommand_no_throw(arguments.front()) == nullptr &&
+                           std::filesystem::exists(arguments.front());
+  if (arguments.empty() || opens_files) arguments.insert(arguments.begin(), "gui");
+  return arguments;
+}
+
 }  // namespace
 
 CLI::App& add_command(CLI::App& root, CommonOptions& common, const char* name, const char* what) {
@@ -77,12 +85,14 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   root.set_version_flag("--version", std::string("stemwise ") + STEMWISE_VERSION);
   root.footer(exit_codes);
   add_common(root, common);
+  add_window_command(root, common, chosen);
   add_reading_commands(root, common, chosen);
   add_project_commands(root, common, chosen);
   add_evaluate_commands(root, common, chosen);
   root.require_subcommand(1);
   try {
-    root.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    const std::vector<std::string> given = with_command(arguments, root);
+    root.parse(std::vector<std::string>(given.rbegin(), given.rend()));
   } catch (const CLI::ParseError& outcome) {
     return report_parse_outcome(root, outcome);
   }

@@ -19,6 +19,7 @@ struct ChosenCommand {
 CLI::App& add_command(CLI::App& root, CommonOptions& common, const char* name, const char* description);
 
 // Each adds its group of subcommands; command_line.cpp calls them in the order of cli.md.
+void add_window_command(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);
 void add_reading_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);
 void add_project_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);
 void add_evaluate_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen);

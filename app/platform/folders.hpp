@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+namespace stemwise::platform {
+
+/// The person's home folder, "" when nothing says it.
+std::string home_folder();
+/// Where settings of ours lie: $XDG_CONFIG_HOME/stemwise, else ~/.config/stemwise. Not made here.
+std::string config_folder();
+/// Login name, for the edit log.
+std::string user_name();
+/// The number of this process, and whether another one runs.
+int process_id();
+bool process_runs(int id);
+
+}  // namespace stemwise::platform

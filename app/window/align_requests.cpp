@@ -1,0 +1,84 @@
+#include <cstdlib>
+
+#include "app/align_job.hpp"
+#include "app/window/requests.hpp"
+#include "core/project/commands.hpp"
+#include "ui/text/format.hpp"
+
+namespace stemwise {
+namespace {
+
+/// The project's settings, by the keys that --set takes; what does not fit is told.
+AlignSettings settings_of(const ProjectState& state, Issues& issues) {
+  AlignSettings settings;
+  const Fields fields = settings.fields();
+  for (const auto& [key, value] : state.settings) {
+    if (key == "preset") {
+      settings.preset = value;
+    } else if (key == "seed") {
+      settings.seed = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (key == "accept_probable") {
+      settings.accept_probable = value == "true";
+    } else {
+      const Issues wrong = set_field(fields, key, value);
+      issues.insert(issues.end(), wrong.begin(), wrong.end());
+    }
+  }
+  return settings;
+}
+
+std::string sentence_of(const ProjectState& state) {
+  int aligned = 0, others = 0;
+  for (const auto& inventory : state.inventories) {
+    if (inventory->id == state.reference) continue;
+    ++others;
+    aligned += state.is_placed(inventory->id) ? 1 : 0;
+  }
+  return std::to_string(aligned) + " of " + std::to_string(others) + " aligned to the reference";
+}
+
+void tell_refusals(WindowModel& m) {
+  const ProjectState& state = m.document.state();
+  for (const auto& [id, alignment] : state.alignments) {
+    if (alignment.status != AlignmentStatus::failed && alignment.status != AlignmentStatus::probable) continue;
+    const Inventory* inventory = state.find(id);
+    const std::string name = inventory != nullptr ? inventory->name : "An inventory";
+    const std::string what = alignment.status == AlignmentStatus::probable ? " could be aligned, but not with certainty" : " was not aligned";
+    m.notices.add(Severity::warning, name + what, {Issue{Severity::warning, "", 0, "", alignment.reason, "Step 2 offers ways to help it along."}});
+    m.view.selected_inventory = id;
+  }
+}
+
+JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome outcome) {
+  if (m.document.revision() != revision) return {false, "The project was changed meanwhile: align again"};
+  const std::vector<std::string> notes = outcome.alignment.notes;
+  m.execute(apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages)));
+  tell_refusals(m);
+  for (const std::string& note : notes) m.notices.add(Severity::note, note);
+  m.view.mode = ui::ViewMode::map;
+  const std::string sentence = sentence_of(m.document.state());
+  if (!sentence.starts_with("0 ")) {
+    m.view.step = ui::Step::review;
+    m.view.tab = ui::BottomTab::queue;
+  }
+  return {true, sentence};
+}
+
+}  // namespace
+
+void run_alignment(WindowModel& m) {
+  Issues issues;
+  const AlignSettings settings = settings_of(m.document.state(), issues);
+  m.notices.add_issues("Some settings were left out", issues);
+  AlignHints hints;
+  hints.rough_poses = m.rough_poses;
+  m.view.step = ui::Step::align;
+  m.view.panels.show_right = true;
+  const auto surveys = static_cast<std::int64_t>(m.document.state().inventories.size());
+  m.jobs.start<AlignOutcome>(
+      "Align " + ui::plural(surveys, "survey", "surveys"), JobLane::person,
+      [state = m.document.state(), settings, hints](const Progress& progress) { return align_project(state, settings, hints, progress); },
+      [&m, revision = m.document.revision()](AlignOutcome outcome) { return take_alignment(m, revision, std::move(outcome)); });
+}
+
+}  // namespace stemwise

@@ -1,0 +1,65 @@
+#include "app/window/requests.hpp"
+#include "core/project/commands.hpp"
+
+namespace stemwise {
+namespace {
+
+namespace request = ui::request;
+
+/// One overload per request.
+struct Answer {
+  WindowModel& m;
+
+  void operator()(const request::Run& r) const { run_action(m, r.action); }
+  void operator()(const request::SelectTree& r) const { select_tree(m, r.tree, r.fly); }
+  void operator()(const request::AddInventories& r) const { add_inventories(m, r.paths); }
+  void operator()(const request::OpenProject& r) const {
+    leave_then(m, [&model = m, path = r.path] { open_project(model, path); });
+  }
+  void operator()(const request::SaveProject& r) const { save_as(m, r.path); }
+  void operator()(const request::RemoveInventory& r) const { m.execute(remove_inventory(r.inventory)); }
+  void operator()(const request::MakeReference& r) const { m.execute(set_reference(r.inventory)); }
+  void operator()(const request::SetDate& r) const { m.execute(set_inventory_date(r.inventory, r.date)); }
+  void operator()(const request::AcceptProbable& r) const { m.execute(accept_probable(r.inventory)); }
+  void operator()(const request::LinkStems& r) const { link(m, r.a, r.b); }
+  void operator()(const request::RejectPair& r) const { m.execute(reject_match(r.a, r.b, stamp_now())); }
+  void operator()(const request::AcceptPair& r) const { m.execute(accept_match(r.a, r.b, stamp_now())); }
+  void operator()(const request::SetFate& r) const { m.execute(set_fate(r.tree, r.fate, stamp_now())); }
+  void operator()(const request::SetNote& r) const { m.execute(set_tree_note(r.tree, r.note, stamp_now(r.note))); }
+  void operator()(const request::SetFusion& r) const { m.execute(set_fusion_policy(r.policy)); }
+  void operator()(const request::SetGeoreference& r) const { m.execute(set_georeference(r.georeference)); }
+  void operator()(const request::SetSetting& r) const { m.execute(set_setting(r.key, r.value)); }
+  void operator()(const request::GoToHistory& r) const {
+    while (m.document.project().history_position() > r.position && m.document.project().can_undo()) m.document.undo();
+    while (m.document.project().history_position() < r.position && m.document.project().can_redo()) m.document.redo();
+  }
+  void operator()(const request::CancelJob& r) const { m.jobs.cancel(r.job); }
+  void operator()(const request::DismissNotice& r) const { m.notices.dismiss(r.notice); }
+  void operator()(const request::DismissNotices&) const { m.notices.clear(); }
+  void operator()(const request::Recover& r) const { answer_recovery(m, r.yes); }
+  void operator()(const request::Leave& r) const { answer_leave(m, r.save); }
+  void operator()(const request::RoughPose& r) const {
+    std::erase_if(m.rough_poses, [&](const auto& pose) { return pose.inventory == r.inventory; });
+    m.rough_poses.push_back({r.inventory, r.x_m, r.y_m, radians(r.yaw_deg), r.radius_m, 0.35});
+    run_alignment(m);
+  }
+  void operator()(const request::Export& r) const { export_layer(m, r); }
+  void operator()(const request::WriteReport& r) const { write_report(m, r); }
+  void operator()(const request::ShowChart& r) const {
+    const std::vector<TreeId> trees = m.charts.show(r, m.document, m.view, m.scale);
+    if (!trees.empty()) select_tree(m, trees.front(), true);
+  }
+  void operator()(const request::Pointer& r) const {
+    const auto pick = m.viewport.pointer(r, m.view);
+    if (r.clicked && m.view.tool != ui::Tool::measure) {
+      pick ? click_stem(m, *pick) : select_tree(m, TreeId{}, false);
+    }
+    if (r.double_clicked && pick && pick->tree) m.viewport.fly_to(pick->tree, !m.view.reduce_motion);
+  }
+};
+
+}  // namespace
+
+void answer(WindowModel& model, const ui::Request& request) { std::visit(Answer{model}, request); }
+
+}  // namespace stemwise

@@ -1,0 +1,79 @@
+#include "app/window/chart_host.hpp"
+
+#define GL_GLEXT_PROTOTYPES 1
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <algorithm>
+
+namespace stemwise {
+namespace {
+
+ChartModel model_of(ui::Chart chart, const ProjectState& state, const Tables& tables, TreeId tree) {
+  if (chart == ui::Chart::tree_history) return dbh_over_time_chart(state, tables, tree);
+  if (chart == ui::Chart::dbh_classes) return dbh_class_chart(state, tables);
+  if (tables.growth.empty()) return {};
+  const InventoryId from = tables.growth.back().from, to = tables.growth.back().to;
+  if (chart == ui::Chart::growth_distribution) return growth_distribution_chart(state, tables, from, to);
+  if (chart == ui::Chart::growth_against_dbh) return growth_against_dbh_chart(state, tables, from, to);
+  return residual_chart(state, tables, from, to);
+}
+
+}  // namespace
+
+ChartHost::~ChartHost() {
+  for (const ui::ChartView& view : views_) {
+    const auto texture = static_cast<GLuint>(view.texture);
+    if (texture != 0) glDeleteTextures(1, &texture);
+  }
+}
+
+std::vector<TreeId> ChartHost::show(const ui::request::ShowChart& ask, const Document& document, const ui::ViewState& view, double scale) {
+  const auto index = static_cast<std::size_t>(ask.chart);
+  if (ask.width_px < 40 || ask.height_px < 40) return {};
+  Key key;
+  key.revision = document.derived().revision;
+  key.style.size = {ask.width_px, ask.height_px};
+  key.style.scale = scale;
+  key.style.theme = view.theme == ui::ThemeName::dark ? render::Theme::dark : render::Theme::light;
+  key.style.is_transparent = true;
+  key.style.has_title = ask.chart != ui::Chart::tree_history;
+  if (ask.chart == ui::Chart::tree_history) {
+    key.tree = view.selected_tree;
+  } else if (view.selected_tree) {
+    key.style.selected = {view.selected_tree};
+  }
+  if (!(painted_[index].key == key)) paint(ask.chart, key, document);
+  const auto hit = ask.x_px < 0.0 ? std::nullopt : render::hit_chart(painted_[index].model, painted_[index].layout, {ask.x_px, ask.y_px}, 6.0 * scale);
+  views_[index].tip = hit ? hit->text : "";
+  return hit && ask.clicked ? hit->trees : std::vector<TreeId>{};
+}
+
+void ChartHost::paint(ui::Chart chart, const Key& key, const Document& document) {
+  Painted& painted = painted_[static_cast<std::size_t>(chart)];
+  if (painted.key.revision != key.revision || painted.key.tree != key.tree) {
+    painted.model = model_of(chart, document.state(), document.derived().tables, key.tree);
+  }
+  painted.key = key;
+  const render::ChartPicture picture = render::paint_chart(painted.model, key.style);
+  painted.layout = picture.layout;
+  upload(views_[static_cast<std::size_t>(chart)], picture.image);
+  news_ = true;
+}
+
+void ChartHost::upload(ui::ChartView& view, const render::Image& image) {
+  auto texture = static_cast<GLuint>(view.texture);
+  if (texture == 0) glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.size.width, image.size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  view.texture = texture;
+  view.width_px = image.size.width;
+  view.height_px = image.size.height;
+}
+
+}  // namespace stemwise

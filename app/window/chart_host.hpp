@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "app/window/document.hpp"
+#include "render/chart_painter.hpp"
+#include "ui/charts.hpp"
+#include "ui/requests.hpp"
+#include "ui/view_state.hpp"
+
+namespace stemwise {
+
+/// Paints the charts that panels ask for into textures; paints again only when data, size, theme or selection changed.
+class ChartHost {
+ public:
+  ChartHost() = default;
+  ~ChartHost();  ///< with the GL context current
+  ChartHost(const ChartHost&) = delete;
+  ChartHost& operator=(const ChartHost&) = delete;
+
+  /// Needs the GL context. The trees that a click stands for, none without a click.
+  std::vector<TreeId> show(const ui::request::ShowChart& ask, const Document& document, const ui::ViewState& view, double scale);
+  const ui::ChartViews& views() const { return views_; }
+  /// True once after something was painted: the window has to be drawn again to show it.
+  bool take_news() { return std::exchange(news_, false); }
+
+ private:
+  struct Key {
+    std::uint64_t revision = ~0ULL;
+    TreeId tree;
+    render::ChartStyle style;
+    bool operator==(const Key&) const = default;
+  };
+  struct Painted {
+    Key key;
+    ChartModel model;
+    render::ChartLayout layout;
+  };
+  void paint(ui::Chart chart, const Key& key, const Document& document);
+  void upload(ui::ChartView& view, const render::Image& image);
+
+  std::array<Painted, ui::chart_count> painted_;
+  ui::ChartViews views_;
+  bool news_ = false;
+};
+
+}  // namespace stemwise

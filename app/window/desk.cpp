@@ -1,0 +1,204 @@
+#include "app/window/desk.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "app/platform/folders.hpp"
+#include "app/window/autosave.hpp"
+#include "app/window/requests.hpp"
+#include "app/window/window_model.hpp"
+#include "ui/actions/availability.hpp"
+#include "ui/shell.hpp"
+#include "ui/text/format.hpp"
+
+namespace stemwise {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string preferences_file(const std::string& folder) { return folder + "/window.json"; }
+
+void apply_preferences(const Preferences& p, ui::ViewState& view) {
+  view.theme = p.theme;
+  view.reduce_motion = p.reduce_motion;
+  view.zoom_percent = p.zoom_percent;
+  view.panels = p.panels;
+  view.layers = p.layers;
+}
+
+bool is_project(const std::string& path) { return fs::path(path).extension() == ".gpkg"; }
+
+}  // namespace
+
+struct Desk::Parts {
+  ui::Shell shell;
+  std::unique_ptr<Autosave> autosave;
+  std::string config_folder;
+  double now_s = 0.0;
+  bool moving = false;
+  int busy_frames = 3;  ///< frames to draw after news: ImGui needs two to settle
+};
+
+Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>()), parts_(std::make_unique<Parts>()) {
+  parts_->config_folder = options.config_folder;
+  WindowModel& m = *model_;
+  if (!options.config_folder.empty()) {
+    m.preferences = read_preferences(preferences_file(options.config_folder));
+    m.autosave_folder = options.config_folder + "/autosave";
+    parts_->autosave = std::make_unique<Autosave>(m.autosave_folder);
+    apply_preferences(m.preferences, m.view);
+  }
+  m.status.home_folder = platform::home_folder();
+  m.status.version = STEMWISE_VERSION;
+  if (options.paths.empty()) {
+    offer_recovery();
+  } else {
+    open_given(options.paths);
+  }
+}
+
+Desk::~Desk() {
+  model_->jobs.cancel_all();
+  if (!parts_->autosave || (model_->document.is_dirty() && !model_->wants_close)) return;
+  while (model_->jobs.is_busy()) {
+    model_->jobs.wait_for_news();
+    model_->jobs.poll();
+  }
+  parts_->autosave->forget();
+}
+
+void Desk::open_given(const std::vector<std::string>& paths) {
+  if (paths.size() == 1 && is_project(paths.front())) {
+    open_project(*model_, paths.front());
+  } else {
+    add_inventories(*model_, paths);
+  }
+}
+
+void Desk::offer_recovery() {
+  if (model_->autosave_folder.empty()) return;
+  const std::vector<std::string> files = orphaned_autosaves(model_->autosave_folder);
+  if (files.empty()) return;
+  const AutosaveOrigin origin = autosave_origin(files.front());
+  model_->recovered_file = files.front();
+  model_->status.recovery_text = "\"" + origin.title + "\" has changes of " + origin.time + (origin.path.empty() ? ", never saved to a file." : " that are not in " + origin.path + ".");
+  model_->view.dialog = ui::Dialog::recover;
+}
+
+bool Desk::prepare(float display_scale) {
+  model_->scale = display_scale * static_cast<float>(model_->view.zoom_percent / 100.0);
+  return parts_->shell.prepare(model_->view, display_scale);
+}
+
+void Desk::frame(double elapsed_s) {
+  parts_->now_s += elapsed_s;
+  poll(elapsed_s);
+  start_deriving();
+  WindowModel& m = *model_;
+  m.viewport.update(m.document, m.view, parts_->now_s);
+  parts_->moving = m.viewport.advance(elapsed_s, m.view);
+  m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), model_->scale);
+  refresh_status();
+  draw();
+}
+
+void Desk::poll(double elapsed_s) {
+  WindowModel& m = *model_;
+  m.notices.advance(elapsed_s);
+  if (m.jobs.poll()) parts_->busy_frames = 3;
+  if (parts_->autosave) parts_->autosave->tend(m);
+}
+
+void Desk::start_deriving() {
+  WindowModel& m = *model_;
+  if (m.document.is_derived() || m.jobs.is_busy(JobLane::tables)) return;
+  using Shared = std::shared_ptr<const ui::Derived>;
+  m.jobs.start<Shared>(
+      "Tables", JobLane::tables,
+      [state = m.document.state(), revision = m.document.revision()](const Progress&) { return std::make_shared<const ui::Derived>(ui::derive(state, revision)); },
+      [&m](Shared derived) {
+        m.document.take(std::move(derived));
+        return JobVerdict{};
+      });
+}
+
+void Desk::refresh_status() {
+  WindowModel& m = *model_;
+  ui::WindowStatus& s = m.status;
+  s.project_title = m.document.is_empty() ? "" : m.document.title();
+  s.saved_text = m.document.is_empty() ? "" : m.document.is_dirty() ? "not saved" : "saved";
+  if (!m.document.is_dirty() && m.saved_at) {
+    s.saved_text = "saved " + ui::ago_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - *m.saved_at).count());
+  }
+  s.recent_projects = m.preferences.recent_projects;
+  s.jobs = m.jobs.views();
+  s.notices = m.notices.all();
+  s.working_folder = m.preferences.working_folder.empty() ? s.home_folder : m.preferences.working_folder;
+  s.places.clear();
+  if (!m.preferences.working_folder.empty()) s.places.push_back(m.preferences.working_folder);
+  s.charts = m.charts.views();
+  m.viewport.describe(m.document, m.view, s);
+}
+
+void Desk::draw() {
+  WindowModel& m = *model_;
+  const ui::Availabilities available = ui::availabilities(m.document.project(), m.document.derived(), m.view, m.status);
+  ui::Requests requests;
+  ui::Frame frame{m.document.project(), m.document.revision(), m.document.derived(), m.status, available, m.view, requests};
+  parts_->shell.draw(frame);
+  for (const ui::Request& request : requests.take()) {
+    const bool every_frame = std::holds_alternative<ui::request::Pointer>(request) || std::holds_alternative<ui::request::ShowChart>(request);
+    if (!every_frame) parts_->busy_frames = 3;
+    answer(m, request);
+  }
+  if (m.charts.take_news()) parts_->busy_frames = 2;
+  parts_->busy_frames = std::max(0, parts_->busy_frames - 1);
+}
+
+double Desk::seconds_to_next_frame() const {
+  if (parts_->busy_frames > 0 || parts_->moving) return 0.0;
+  if (parts_->shell.viewport_rect().width > 0 && model_->viewport.viewport().is_dirty()) return 0.0;
+  if (!model_->notices.all().empty() && model_->notices.all().front().age_s < 10.0) return 0.5;
+  if (model_->jobs.is_busy()) return 0.2;
+  return 10.0;
+}
+
+void Desk::drop(const std::vector<std::string>& paths) {
+  if (paths.size() == 1 && is_project(paths.front()) && model_->document.is_empty()) {
+    open_project(*model_, paths.front());
+  } else {
+    add_inventories(*model_, paths);
+  }
+}
+
+void Desk::ask_to_close() {
+  leave_then(*model_, [this] { model_->wants_close = true; });
+}
+
+bool Desk::wants_close() const { return model_->wants_close; }
+
+void Desk::remember(int width, int height, bool maximised) {
+  if (parts_->config_folder.empty()) return;
+  Preferences& p = model_->preferences;
+  if (!maximised) {
+    p.width = width;
+    p.height = height;
+  }
+  p.maximised = maximised;
+  p.theme = model_->view.theme;
+  p.reduce_motion = model_->view.reduce_motion;
+  p.zoom_percent = model_->view.zoom_percent;
+  p.panels = model_->view.panels;
+  p.layers = model_->view.layers;
+  write_preferences(preferences_file(parts_->config_folder), p);
+}
+
+const ui::WidgetRegistry& Desk::registry() const { return parts_->shell.registry(); }
+
+std::string Desk::title() const {
+  if (model_->document.is_empty()) return "Stemwise";
+  return model_->document.title() + (model_->document.is_dirty() ? " (not saved)" : "") + " · Stemwise";
+}
+
+}  // namespace stemwise

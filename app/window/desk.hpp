@@ -1,0 +1,55 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/registry.hpp"
+
+namespace stemwise {
+
+struct WindowModel;
+
+struct DeskOptions {
+  std::vector<std::string> paths;   ///< a project, or inventories
+  std::string config_folder;        ///< empty: nothing is remembered or recovered
+};
+
+/// The whole window but for the window itself: runs in any GL context and ImGui context, on a display or without one.
+class Desk {
+ public:
+  explicit Desk(const DeskOptions& options);
+  ~Desk();  ///< with the GL context current
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  /// Before ImGui::NewFrame. True when ImGui's font texture has to be made anew.
+  bool prepare(float display_scale);
+  /// Between ImGui::NewFrame and ImGui::Render. Changes framebuffer bindings and the GL viewport.
+  void frame(double elapsed_s);
+  /// Seconds until something moves by itself; the window may sleep so long.
+  double seconds_to_next_frame() const;
+
+  void drop(const std::vector<std::string>& paths);  ///< files dropped on the window
+  void ask_to_close();
+  bool wants_close() const;
+  void remember(int width, int height, bool maximised);  ///< writes the preferences
+
+  WindowModel& model() { return *model_; }
+  const WindowModel& model() const { return *model_; }
+  const ui::WidgetRegistry& registry() const;
+  std::string title() const;
+
+ private:
+  struct Parts;
+  void poll(double elapsed_s);
+  void start_deriving();
+  void refresh_status();
+  void draw();
+  void open_given(const std::vector<std::string>& paths);
+  void offer_recovery();
+
+  std::unique_ptr<WindowModel> model_;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace stemwise

@@ -1,0 +1,36 @@
+#include "app/window/document.hpp"
+
+#include <filesystem>
+
+namespace stemwise {
+
+Document::Document() : project_(std::make_unique<Project>()) { derived_ = std::make_shared<const ui::Derived>(ui::derive(state(), revision())); }
+
+void Document::take(std::shared_ptr<const ui::Derived> derived) {
+  if (derived->revision >= derived_->revision && derived->revision <= revision()) derived_ = std::move(derived);
+}
+
+void Document::mark_saved(std::uint64_t saved_revision) {
+  if (saved_revision != revision()) return;
+  project_->mark_saved();
+  never_saved_ = false;
+}
+
+void Document::replace(ProjectState state, std::string path, bool saved) {
+  project_ = std::make_unique<Project>(std::move(state));
+  ++epoch_;
+  path_ = std::move(path);
+  never_saved_ = !saved;
+  // Tables of the earlier project would name trees that are not here.
+  auto empty = std::make_shared<ui::Derived>();
+  empty->revision = epoch_ << 32;
+  if (!is_empty()) empty->revision -= 1;
+  derived_ = std::move(empty);
+}
+
+std::string Document::title() const {
+  if (!state().title.empty()) return state().title;
+  return path_.empty() ? "Untitled" : std::filesystem::path(path_).stem().string();
+}
+
+}  // namespace stemwise

@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/project/project.hpp"
+#include "ui/derived.hpp"
+
+namespace stemwise {
+
+/// The open project with its file and the tables derived from it. Everything that changes it goes through `execute`.
+class Document {
+ public:
+  Document();
+
+  const Project& project() const { return *project_; }
+  const ProjectState& state() const { return project_->state(); }
+  /// Unique over all projects of this window: goes up with every change, also when another project is opened.
+  std::uint64_t revision() const { return (epoch_ << 32) + project_->revision(); }
+  const ui::Derived& derived() const { return *derived_; }
+  std::shared_ptr<const ui::Derived> shared_derived() const { return derived_; }
+  void take(std::shared_ptr<const ui::Derived> derived);  ///< dropped when older than what is there
+  bool is_derived() const { return derived_->revision == revision(); }
+
+  void execute(CommandPtr command) { project_->execute(std::move(command)); }
+  void undo() { project_->undo(); }
+  void redo() { project_->redo(); }
+  void mark_saved(std::uint64_t revision);  ///< only when nothing was changed since that revision was written
+
+  /// Another project takes this one's place.
+  void replace(ProjectState state, std::string path, bool saved);
+  bool is_dirty() const { return never_saved_ || project_->is_dirty(); }
+  bool is_empty() const { return state().inventories.empty(); }
+
+  const std::string& path() const { return path_; }
+  void set_path(std::string path) { path_ = std::move(path); }
+  std::string title() const;  ///< the project's title, else its file's name
+
+ private:
+  std::unique_ptr<Project> project_;
+  std::shared_ptr<const ui::Derived> derived_;
+  std::uint64_t epoch_ = 1;
+  std::string path_;
+  bool never_saved_ = false;  ///< recovered, or the demo: is in no file of the person's
+};
+
+}  // namespace stemwise

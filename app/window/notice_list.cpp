@@ -1,0 +1,32 @@
+#include "app/window/notice_list.hpp"
+
+#include <algorithm>
+
+namespace stemwise {
+namespace {
+
+constexpr std::size_t most_notices = 200;
+
+}  // namespace
+
+void NoticeList::add(Severity severity, std::string title, Issues details) {
+  notices_.insert(notices_.begin(), ui::Notice{next_id_++, severity, std::move(title), std::move(details), 0.0});
+  if (notices_.size() > most_notices) notices_.resize(most_notices);
+}
+
+void NoticeList::add_issues(const std::string& title, const Issues& issues) {
+  if (issues.empty()) return;
+  Severity worst = Severity::note;
+  for (const Issue& issue : issues) worst = std::max(worst, issue.severity);
+  add(worst, title, issues);
+}
+
+void NoticeList::dismiss(int id) {
+  std::erase_if(notices_, [&](const ui::Notice& notice) { return notice.id == id; });
+}
+
+void NoticeList::advance(double elapsed_s) {
+  for (ui::Notice& notice : notices_) notice.age_s += elapsed_s;
+}
+
+}  // namespace stemwise

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/jobs/progress.hpp"
+#include "core/project/project_state.hpp"
+#include "core/survey/tables.hpp"
+#include "ui/requests.hpp"
+
+namespace stemwise {
+
+// What jobs of the window do with files: the same code as the command line's, on values only.
+
+struct ReadSurveys {
+  std::vector<Inventory> inventories;  ///< those with a usable row, in the order given
+  Issues issues;
+};
+/// Reads files and folders, each ready to be aligned. Throws Cancelled.
+ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& progress);
+/// The simulated forest of the demo, surveyed in three years.
+ReadSurveys make_demo(const Progress& progress);
+
+Result<ProjectState> read_project_file(const std::string& path);
+Result<Done> write_project_file(const std::string& path, const ProjectState& state);
+Result<Done> write_export(const ProjectState& state, const ui::request::Export& what);
+Result<Done> write_growth_report(const ProjectState& state, const ui::request::WriteReport& what);
+
+}  // namespace stemwise

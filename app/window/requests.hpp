@@ -1,0 +1,41 @@
+#pragma once
+#include "app/window/window_model.hpp"
+#include "ui/requests.hpp"
+
+namespace stemwise {
+
+/// Does what the person asked for: a command, a job, or a change of the view.
+void answer(WindowModel& model, const ui::Request& request);
+
+// By subject; one file each.
+void run_action(WindowModel& model, ui::ActionId action);
+
+// Trees and matches (review_requests.cpp).
+void select_tree(WindowModel& model, TreeId tree, bool fly);
+void click_stem(WindowModel& model, const render::Pick& pick);
+void go_to_doubtful(WindowModel& model, bool forward);
+void accept_selected(WindowModel& model);
+void reject_selected(WindowModel& model);
+void unlink_selected(WindowModel& model);
+void start_linking(WindowModel& model);
+void link(WindowModel& model, StemRef from, StemRef to);
+void set_selected_fate(WindowModel& model, std::optional<Fate> fate);
+
+// Files (file_requests.cpp).
+void new_project(WindowModel& model);
+void add_inventories(WindowModel& model, const std::vector<std::string>& paths);
+void add_demo(WindowModel& model);
+void open_project(WindowModel& model, const std::string& path);
+void save(WindowModel& model);
+void save_as(WindowModel& model, const std::string& path);
+void export_layer(WindowModel& model, const ui::request::Export& what);
+void write_report(WindowModel& model, const ui::request::WriteReport& what);
+/// Runs `next` at once, or after the person has decided about unsaved changes.
+void leave_then(WindowModel& model, std::function<void()> next);
+void answer_leave(WindowModel& model, bool save_first);
+void answer_recovery(WindowModel& model, bool bring_back);
+
+// Alignment (align_requests.cpp).
+void run_alignment(WindowModel& model);
+
+}  // namespace stemwise

@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include "app/window/requests.hpp"
+#include "core/project/commands.hpp"
+
+namespace stemwise {
+namespace {
+
+using ui::ActionId;
+using enum ui::ActionId;
+
+void toggle(bool& value) { value = !value; }
+
+bool run_file_action(WindowModel& m, ActionId action) {
+  switch (action) {
+    case file_new: leave_then(m, [&m] { new_project(m); }); return true;
+    case file_open: leave_then(m, [&m] { m.view.dialog = ui::Dialog::open_project; }); return true;
+    case file_add: m.view.dialog = ui::Dialog::add_inventories; return true;
+    case file_demo: leave_then(m, [&m] { add_demo(m); }); return true;
+    case file_save: m.leaves_after_saving = false; save(m); return true;
+    case file_save_as: m.leaves_after_saving = false; m.view.dialog = ui::Dialog::save_project; return true;
+    case file_quit: leave_then(m, [&m] { m.wants_close = true; }); return true;
+    default: return false;
+  }
+}
+
+bool run_edit_action(WindowModel& m, ActionId action) {
+  switch (action) {
+    case edit_undo: m.document.undo(); return true;
+    case edit_redo: m.document.redo(); return true;
+    case edit_history: m.view.dialog = ui::Dialog::history; return true;
+    case edit_make_reference: m.execute(set_reference(m.view.selected_inventory)); return true;
+    case edit_remove_inventory: m.execute(remove_inventory(m.view.selected_inventory)); return true;
+    case align_run: run_alignment(m); return true;
+    case align_cancel:
+      if (const ui::JobView* job = m.status.running()) m.jobs.cancel(job->id);
+      return true;
+    case align_accept_probable: m.execute(accept_probable(m.view.selected_inventory)); return true;
+    default: return false;
+  }
+}
+
+bool run_view_action(WindowModel& m, ActionId action) {
+  ui::ViewState& v = m.view;
+  switch (action) {
+    case view_mode: v.mode = v.mode == ui::ViewMode::map ? ui::ViewMode::space : ui::ViewMode::map; return true;
+    case view_fit: m.viewport.fit(); return true;
+    case view_focus: m.viewport.fly_to(v.selected_tree, !v.reduce_motion); return true;
+    case view_blink: toggle(v.blink); return true;
+    case view_links: toggle(v.layers.links); return true;
+    case view_coverage: toggle(v.layers.coverage); return true;
+    case view_grid: toggle(v.layers.grid); return true;
+    case view_labels: toggle(v.layers.labels); return true;
+    case view_left: toggle(v.panels.show_left); return true;
+    case view_right: toggle(v.panels.show_right); return true;
+    case view_bottom: toggle(v.panels.show_bottom); return true;
+    case view_theme: v.theme = v.theme == ui::ThemeName::light ? ui::ThemeName::dark : ui::ThemeName::light; return true;
+    case view_reduce_motion: toggle(v.reduce_motion); return true;
+    case view_zoom_in: v.zoom_percent = std::min(200.0, v.zoom_percent + 10.0); return true;
+    case view_zoom_out: v.zoom_percent = std::max(80.0, v.zoom_percent - 10.0); return true;
+    case tool_select: v.tool = ui::Tool::select; return true;
+    case tool_measure:
+      v.tool = v.tool == ui::Tool::measure ? ui::Tool::select : ui::Tool::measure;
+      m.viewport.forget_measure();
+      return true;
+    case help_palette: v.dialog = ui::Dialog::palette; return true;
+    case help_keys: v.dialog = ui::Dialog::keys; return true;
+    case help_about: v.dialog = ui::Dialog::about; return true;
+    default: return false;
+  }
+}
+
+bool run_review_action(WindowModel& m, ActionId action) {
+  switch (action) {
+    case review_next: go_to_doubtful(m, true); return true;
+    case review_previous: go_to_doubtful(m, false); return true;
+    case review_accept: accept_selected(m); return true;
+    case review_reject: reject_selected(m); return true;
+    case review_link: start_linking(m); return true;
+    case review_unlink: unlink_selected(m); return true;
+    case review_dead: set_selected_fate(m, Fate::dead); return true;
+    case review_removed: set_selected_fate(m, Fate::removed); return true;
+    case review_missed_earlier: set_selected_fate(m, Fate::missed_earlier); return true;
+    case review_ingrowth: set_selected_fate(m, Fate::ingrowth); return true;
+    case review_clear_fate: set_selected_fate(m, std::nullopt); return true;
+    case export_run:
+    case export_report: m.view.step = ui::Step::report; m.view.panels.show_right = true; return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+void run_action(WindowModel& m, ActionId action) {
+  if (run_file_action(m, action) || run_edit_action(m, action) || run_view_action(m, action) || run_review_action(m, action)) return;
+  if (action >= color_inventory && action <= color_times_seen) {
+    m.view.color_by = static_cast<ui::ColorBy>(static_cast<int>(action) - static_cast<int>(color_inventory));
+  } else if (action >= step_inventories && action <= step_report) {
+    m.view.step = static_cast<ui::Step>(static_cast<int>(action) - static_cast<int>(step_inventories) + 1);
+  }
+}
+
+}  // namespace stemwise

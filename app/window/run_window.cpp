@@ -1,0 +1,151 @@
+#include "app/window/run_window.hpp"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "app/platform/folders.hpp"
+#include "app/window/desk.hpp"
+#include "app/window/gl_target.hpp"
+#include "app/window/headless_window.hpp"
+#include "app/window/window_model.hpp"
+#include "app/window/window_script.hpp"
+
+namespace stemwise {
+namespace {
+
+void say_glfw_error(int code, const char* text) { std::cerr << "window: " << text << " (" << code << ")\n"; }
+
+/// GLFW and its window; Dear ImGui on top. Ends in reverse.
+class GlfwWindow {
+ public:
+  GlfwWindow(int width, int height, bool maximised) {
+    glfwSetErrorCallback(say_glfw_error);
+    if (!glfwInit()) return;
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);  // without FORWARD_COMPAT: VTK draws wide lines
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
+    handle_ = glfwCreateWindow(width, height, "Stemwise", nullptr, nullptr);
+    if (handle_ == nullptr) return;
+    glfwSetWindowSizeLimits(handle_, 1024, 640, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(handle_);
+    glfwSwapInterval(1);
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui_ImplGlfw_InitForOpenGL(handle_, true);
+    ImGui_ImplOpenGL3_Init("#version 150");
+  }
+  ~GlfwWindow() {
+    if (handle_ != nullptr) {
+      ImGui_ImplOpenGL3_Shutdown();
+      ImGui_ImplGlfw_Shutdown();
+      ImGui::DestroyContext();
+      glfwDestroyWindow(handle_);
+    }
+    glfwTerminate();
+  }
+  GlfwWindow(const GlfwWindow&) = delete;
+  GlfwWindow& operator=(const GlfwWindow&) = delete;
+  GLFWwindow* handle() const { return handle_; }
+  float content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(handle_, &x, &y);
+    return std::clamp(std::max(x, y), 1.0f, 3.0f);
+  }
+
+ private:
+  GLFWwindow* handle_ = nullptr;
+};
+
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+  static_cast<Desk*>(glfwGetWindowUserPointer(window))->drop({paths, paths + count});
+}
+
+void on_close(GLFWwindow* window) {
+  glfwSetWindowShouldClose(window, GLFW_FALSE);
+  static_cast<Desk*>(glfwGetWindowUserPointer(window))->ask_to_close();
+}
+
+void draw_frame(const GlfwWindow& window, Desk& desk, double elapsed_s) {
+  if (desk.prepare(window.content_scale())) ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_NewFrame();
+  if (ImGui::GetIO().Fonts->TexID == nullptr) ImGui_ImplOpenGL3_CreateFontsTexture();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  desk.frame(elapsed_s);
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window.handle(), &width, &height);
+  clear_frame(width, height);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window.handle());
+}
+
+void write_registry(const std::string& path, const Desk& desk, std::string& written) {
+  std::string now = registry_json(desk.registry());
+  if (now == written) return;
+  {
+    std::ofstream file(path + ".new");
+    file << now << "\n";
+  }
+  std::error_code error;
+  std::filesystem::rename(path + ".new", path, error);
+  written = std::move(now);
+}
+
+void loop(const GlfwWindow& window, Desk& desk, const WindowOptions& options) {
+  double last = glfwGetTime();
+  int frames_after_event = 3;
+  std::string registry, title;
+  while (!desk.wants_close()) {
+    // Sleeps while nothing happens: an idle window costs nothing.
+    const double wait = frames_after_event > 0 ? 0.0 : desk.seconds_to_next_frame();
+    const double before = glfwGetTime();
+    wait > 0.0 ? glfwWaitEventsTimeout(wait) : glfwPollEvents();
+    const bool event = wait > 0.0 && glfwGetTime() - before < wait * 0.98;
+    frames_after_event = event ? 3 : std::max(0, frames_after_event - 1);
+    const double now = glfwGetTime();
+    draw_frame(window, desk, now - last);
+    last = now;
+    if (desk.title() != title) glfwSetWindowTitle(window.handle(), (title = desk.title()).c_str());
+    if (!options.ui_json.empty()) write_registry(options.ui_json, desk, registry);
+  }
+}
+
+int run_on_display(const WindowOptions& options) {
+  const std::string config = platform::config_folder();
+  const Preferences remembered = read_preferences(config + "/window.json");
+  const GlfwWindow window(options.width > 0 ? options.width : remembered.width, options.height > 0 ? options.height : remembered.height,
+                          options.width == 0 && remembered.maximised);
+  if (window.handle() == nullptr) {
+    std::cerr << "error: no window can be opened: is there a display? Everything can be done without one, see stemwise --help\n";
+    return 1;
+  }
+  Desk desk({options.paths, config});
+  desk.model().jobs.on_news([] { glfwPostEmptyEvent(); });
+  glfwSetWindowUserPointer(window.handle(), &desk);
+  glfwSetDropCallback(window.handle(), on_drop);
+  glfwSetWindowCloseCallback(window.handle(), on_close);
+  loop(window, desk, options);
+  int width = 0, height = 0;
+  glfwGetWindowSize(window.handle(), &width, &height);
+  desk.remember(width, height, glfwGetWindowAttrib(window.handle(), GLFW_MAXIMIZED) == GLFW_TRUE);
+  desk.model().jobs.on_news(nullptr);
+  return 0;
+}
+
+}  // namespace
+
+int run_window(const WindowOptions& options) { return options.script.empty() ? run_on_display(options) : run_window_script(options); }
+
+}  // namespace stemwise

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace stemwise {
+
+struct WindowOptions {
+  std::vector<std::string> paths;  ///< a project, or inventories; may be empty
+  // For scripts and tests:
+  std::string ui_json;             ///< write the widgets' places here whenever they change
+  std::string script;              ///< run these lines without a display instead (app/window/window_script.hpp)
+  int width = 0, height = 0;       ///< 0: as remembered
+};
+
+/// The desktop window until it is closed. What the process exits with; messages go to stderr where no window can be made.
+int run_window(const WindowOptions& options);
+
+}  // namespace stemwise

@@ -1,0 +1,163 @@
+#include "app/window/viewport_host.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/rigid_transform.hpp"
+#include "ui/frame.hpp"
+#include "ui/text/format.hpp"
+
+namespace stemwise {
+namespace {
+
+constexpr double blink_period_s = 0.7;
+
+render::ColorBy color_by(ui::ColorBy by) { return static_cast<render::ColorBy>(by); }
+static_assert(static_cast<int>(render::ColorBy::times_seen) == static_cast<int>(ui::ColorBy::times_seen) &&
+              static_cast<int>(render::ColorBy::growth) == static_cast<int>(ui::ColorBy::growth));
+
+std::vector<InventoryId> hidden_now(const Document& document, const ui::ViewState& view, double now_s) {
+  std::vector<InventoryId> hidden(view.hidden.begin(), view.hidden.end());
+  const std::vector<InventoryId>& placed = document.derived().tables.inventories;
+  if (!view.blink || placed.size() < 2) return hidden;
+  const bool first = std::fmod(now_s, 2.0 * blink_period_s) < blink_period_s;
+  hidden.assign(placed.begin(), placed.end());
+  std::erase(hidden, first ? placed.front() : placed.back());
+  return hidden;
+}
+
+std::string dbh_span(const TreeRow& tree) {
+  std::optional<double> first, last;
+  for (const auto& dbh : tree.dbh_per_inventory_m) {
+    if (!dbh) continue;
+    if (!first) first = dbh;
+    last = dbh;
+  }
+  if (!first) return "no DBH";
+  if (tree.times_seen < 2 || first == last) return ui::dbh_text(last) + " cm";
+  return ui::dbh_text(first) + " to " + ui::dbh_text(last) + " cm";
+}
+
+}  // namespace
+
+void ViewportHost::update(const Document& document, const ui::ViewState& view, double now_s) {
+  render::ViewOptions options;
+  options.kind = view.mode == ui::ViewMode::map ? render::ViewKind::map : render::ViewKind::space;
+  options.color_by = color_by(view.color_by);
+  options.theme = view.theme == ui::ThemeName::dark ? render::Theme::dark : render::Theme::light;
+  options.hidden = hidden_now(document, view, now_s);
+  options.links = view.layers.links;
+  options.coverage = view.layers.coverage;
+  options.grid = view.layers.grid;
+  options.ground = view.layers.ground;
+  options.labels = view.layers.labels;
+  options.legend = view.color_by != ui::ColorBy::fate || !view.panels.show_left;
+  if (view.selected_tree) options.selected = {view.selected_tree};
+  if (!view.selected_tree && view.selected_stem.index >= 0) options.selected_stems = {view.selected_stem};
+  options.hovered = hovered_;
+  options.moving = dragging_;
+  viewport_.set_options(options);
+  viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
+}
+
+ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
+  const render::PixelSize size{static_cast<int>(std::lround(rect.width)), static_cast<int>(std::lround(rect.height))};
+  if (size.width < 8 || size.height < 8) return {};
+  const std::uint32_t texture = viewport_.render(size, scale);
+  if (renderer_.empty()) renderer_ = viewport_.renderer_name();
+  return {texture, size.width, size.height};
+}
+
+bool ViewportHost::advance(double elapsed_s, const ui::ViewState& view) {
+  const bool flying = viewport_.advance(elapsed_s);
+  return flying || view.blink || dragging_;
+}
+
+std::optional<render::Pick> ViewportHost::pointer(const ui::request::Pointer& p, const ui::ViewState& view) {
+  const bool space = view.mode == ui::ViewMode::space;
+  const bool moves = p.left_down || p.middle_down || p.right_down;
+  dragging_ = moves && (p.dx_px != 0.0 || p.dy_px != 0.0 || dragging_);
+  if (moves && space && p.left_down && !p.shift) {
+    viewport_.orbit(p.dx_px, p.dy_px);
+  } else if (moves) {
+    viewport_.pan(p.dx_px, p.dy_px);
+  }
+  if (p.wheel != 0.0) viewport_.zoom_at(p.x_px, p.y_px, std::pow(1.2, p.wheel));
+  cursor_px_ = p.hovered ? std::optional<Eigen::Vector2d>({p.x_px, p.y_px}) : std::nullopt;
+  const std::optional<render::Pick> under = p.hovered && !moves ? viewport_.pick(p.x_px, p.y_px) : std::nullopt;
+  hovered_ = under ? under->tree : TreeId{};
+  if (!p.clicked) return std::nullopt;
+  if (view.tool != ui::Tool::measure) return under;
+  if (const auto world = viewport_.world_at(p.x_px, p.y_px)) {
+    if (measured_.size() >= 2) measured_.clear();
+    measured_.push_back(world->position_m);
+  }
+  return std::nullopt;
+}
+
+void ViewportHost::describe(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
+  describe_hover(document, view, status);
+  describe_cursor(document, status);
+  describe_measure(document, view, status);
+  status.renderer = renderer_;
+}
+
+void ViewportHost::describe_hover(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
+  status.hover.reset();
+  const TreeId shown = hovered_ ? hovered_ : view.selected_tree;
+  const TreeRow* tree = document.derived().tree(shown);
+  const auto at = tree != nullptr ? viewport_.pixels_of(shown) : std::nullopt;
+  if (!at) return;
+  ui::HoverCard card{at->x(), at->y(), tree_label(shown) + " · " + dbh_span(*tree), fate_label(tree->fate), false};
+  const QueueRow* doubt = document.derived().doubt(shown);
+  if (doubt != nullptr && !doubt->decided) {
+    card.detail = doubt->why;
+    card.warning = true;
+  }
+  status.hover = std::move(card);
+}
+
+void ViewportHost::describe_cursor(const Document& document, ui::WindowStatus& status) const {
+  status.cursor_local.clear();
+  status.cursor_projected.clear();
+  status.cursor_geographic.clear();
+  const auto world = cursor_px_ ? viewport_.world_at(cursor_px_->x(), cursor_px_->y()) : std::nullopt;
+  if (!world) return;
+  const Eigen::Vector3d& p = world->position_m;
+  status.cursor_local = "x " + ui::grouped(p.x(), 2) + " m   y " + ui::grouped(p.y(), 2) + " m";
+  const Georeference& g = document.state().georeference;
+  if (g.kind == GeoreferenceKind::crs) {
+    status.cursor_projected = "EPSG:" + std::to_string(g.epsg) + "   " + ui::grouped(p.x(), 1) + " E   " + ui::grouped(p.y(), 1) + " N";
+  }
+  if (g.kind != GeoreferenceKind::anchor) return;
+  const Geodetic earth = geodetic_from_reference(g, p);
+  if (const auto utm = utm_from_geodetic(earth, g.origin)) {
+    status.cursor_projected = "UTM " + std::to_string(utm->zone) + (utm->north ? "N" : "S") + "   " + ui::grouped(utm->easting_m, 1) + " E   " +
+                              ui::grouped(utm->northing_m, 1) + " N";
+  }
+  status.cursor_geographic = ui::fixed(std::abs(earth.latitude_deg), 5) + (earth.latitude_deg < 0 ? "° S   " : "° N   ") +
+                             ui::fixed(std::abs(earth.longitude_deg), 5) + (earth.longitude_deg < 0 ? "° W" : "° E");
+}
+
+void ViewportHost::describe_measure(const Document&, const ui::ViewState& view, ui::WindowStatus& status) const {
+  status.measure_text.clear();
+  status.measure_line.reset();
+  if (view.tool != ui::Tool::measure) return;
+  status.measure_text = "Click two points to measure.  Esc: stop";
+  if (measured_.empty()) return;
+  const Eigen::Vector3d& from = measured_.front();
+  Eigen::Vector3d to = from;
+  if (measured_.size() == 2) {
+    to = measured_.back();
+  } else if (cursor_px_) {
+    if (const auto world = viewport_.world_at(cursor_px_->x(), cursor_px_->y())) to = world->position_m;
+  }
+  const Eigen::Vector2d a = viewport_.pixels_of(from), b = viewport_.pixels_of(to);
+  status.measure_line = ui::OverlayLine{a.x(), a.y(), b.x(), b.y()};
+  const Eigen::Vector3d way = to - from;
+  double azimuth_deg = degrees(std::atan2(way.x(), way.y()));
+  if (azimuth_deg < 0.0) azimuth_deg += 360.0;
+  status.measure_text = ui::distance_text(way.head<2>().norm()) + " at " + ui::fixed(azimuth_deg, 1) + "° from the y axis.  Esc: stop";
+}
+
+}  // namespace stemwise

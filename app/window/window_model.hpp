@@ -1,0 +1,45 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/window/chart_host.hpp"
+#include "app/window/document.hpp"
+#include "app/window/job_runner.hpp"
+#include "app/window/notice_list.hpp"
+#include "app/window/preferences.hpp"
+#include "app/window/viewport_host.hpp"
+#include "core/survey/align_surveys.hpp"
+#include "ui/actions/action.hpp"
+#include "ui/view_state.hpp"
+#include "ui/window_status.hpp"
+
+namespace stemwise {
+
+/// Everything the window holds; the handlers of requests change it, the panels read it.
+struct WindowModel {
+  Document document;
+  ui::ViewState view;
+  ui::WindowStatus status;
+  Preferences preferences;
+  NoticeList notices;
+  ViewportHost viewport;
+  ChartHost charts;
+  float scale = 1.0f;                              ///< of the interface just now
+  std::vector<AlignHints::RoughPose> rough_poses;  ///< given by a person, for every later run
+  std::function<void()> after_leaving;             ///< what waits until changes are saved or given up
+  bool leaves_after_saving = false;
+  std::optional<std::chrono::steady_clock::time_point> saved_at;
+  std::string autosave_folder;
+  std::string recovered_file;                      ///< what the recovery dialog is about
+  bool wants_close = false;
+  JobRunner jobs;  ///< last: its threads end before anything else goes
+
+  void execute(CommandPtr command) { document.execute(std::move(command)); }
+};
+
+/// Author and time of a decision made now (SOURCE_DATE_EPOCH fixes the time).
+EditStamp stamp_now(std::string note = {});
+
+}  // namespace stemwise

@@ -1,0 +1,77 @@
+#include "ui/actions/availability.hpp"
+
+#include "ui/frame.hpp"
+
+namespace stemwise::ui {
+namespace {
+
+using enum ActionId;
+
+/// Sets a reason once; the first one counts.
+class Reasons {
+ public:
+  explicit Reasons(Availabilities& out) : out_(out) {}
+  void unless(bool possible, std::initializer_list<ActionId> ids, const std::string& why) {
+    if (possible) return;
+    for (const ActionId id : ids) {
+      std::string& reason = out_[static_cast<std::size_t>(id)].why_not;
+      if (reason.empty()) reason = why;
+    }
+  }
+
+ private:
+  Availabilities& out_;
+};
+
+void project_reasons(Reasons& r, const Project& project, const ViewState& view, const WindowStatus& status) {
+  const ProjectState& state = project.state();
+  const bool busy = status.running() != nullptr;
+  r.unless(!busy, {file_new, file_open, file_demo, align_run}, "Wait until the running job is done, or cancel it");
+  r.unless(busy, {align_cancel}, "No job is running");
+  r.unless(!state.inventories.empty(), {file_save, file_save_as, view_fit, view_blink}, "Add inventories first");
+  r.unless(project.can_undo(), {edit_undo}, "Nothing to undo");
+  r.unless(project.can_redo(), {edit_redo}, "Nothing to redo");
+  r.unless(project.can_undo() || project.can_redo(), {edit_history}, "Nothing has been changed yet");
+  r.unless(state.inventories.size() >= 2, {align_run}, "Alignment needs two inventories or more");
+  const Inventory* selected = state.find(view.selected_inventory);
+  r.unless(selected != nullptr, {edit_make_reference, edit_remove_inventory, align_accept_probable}, "Select an inventory in the left panel first");
+  r.unless(view.selected_inventory != state.reference, {edit_make_reference}, "It is the reference already");
+  const auto it = state.alignments.find(view.selected_inventory);
+  r.unless(it != state.alignments.end() && it->second.status == AlignmentStatus::probable, {align_accept_probable},
+           "The selected inventory has no pose that waits for a decision");
+}
+
+void tree_reasons(Reasons& r, const Project& project, const Derived& derived, const ViewState& view) {
+  const ProjectState& state = project.state();
+  r.unless(!derived.tables.trees.empty(), {export_run, export_report}, "Add inventories first: there is nothing to write yet");
+  r.unless(!derived.tables.queue.empty(), {review_next, review_previous}, "No tree is in doubt");
+  const auto tree = state.trees.find(view.selected_tree);
+  const bool chosen = tree != state.trees.end();
+  r.unless(chosen,
+           {view_focus, review_accept, review_reject, review_link, review_unlink, review_dead, review_removed, review_missed_earlier,
+            review_ingrowth, review_clear_fate},
+           "Select a tree first");
+  if (!chosen) return;
+  const MatchRow* match = match_to_decide(derived, view.selected_tree);
+  const TreeRow* row = derived.tree(view.selected_tree);
+  const bool fate_to_confirm = row != nullptr && derived.doubt(view.selected_tree) != nullptr;
+  r.unless(match != nullptr || fate_to_confirm, {review_accept}, "This tree has no match to accept");
+  r.unless(match != nullptr, {review_reject}, "This tree has no match to reject");
+  r.unless(match == nullptr || match->state != MatchState::accepted, {review_accept}, "It is accepted already");
+  r.unless(tree->second.stems.size() >= 2, {review_unlink}, "This tree was seen in one survey only: there is nothing to unlink");
+  r.unless(derived.tables.inventories.size() >= 2, {review_link}, "Linking needs two aligned surveys");
+  r.unless(tree->second.fate_by_hand.has_value(), {review_clear_fate}, "No fate was set by hand");
+}
+
+}  // namespace
+
+Availabilities availabilities(const Project& project, const Derived& derived, const ViewState& view, const WindowStatus& status) {
+  Availabilities out;
+  Reasons reasons(out);
+  project_reasons(reasons, project, view, status);
+  tree_reasons(reasons, project, derived, view);
+  reasons.unless(derived.tables.inventories.size() >= 2, {view_blink}, "Blinking needs two aligned surveys");
+  return out;
+}
+
+}  // namespace stemwise::ui

@@ -1,0 +1,41 @@
+#include "ui/actions/keys.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace stemwise::ui {
+namespace {
+
+bool typed(char32_t character) {
+  for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
+    if (c == character) return true;
+  }
+  return false;
+}
+
+bool pressed(const Action& a) {
+  if (a.id == ActionId::help_keys) return typed('?');
+  const ImGuiIO& io = ImGui::GetIO();
+  if (a.chord.key == Key::none || io.KeyCtrl != a.chord.ctrl || io.KeyShift != a.chord.shift || io.KeyAlt != a.chord.alt) return false;
+  return ImGui::IsKeyPressed(static_cast<int>(a.chord.key), false);
+}
+
+bool belongs_to_text_field(const Action& a) {
+  if (!a.chord.ctrl) return true;
+  return a.id == ActionId::edit_undo || a.id == ActionId::edit_redo;
+}
+
+/// Space presses the focused control; only without one does it blink.
+bool taken_by_focus(const Action& a) { return a.chord == KeyChord{Key::space} && !GImGui->NavDisableHighlight && GImGui->NavId != 0; }
+
+}  // namespace
+
+void run_keys(const Availabilities& available, Requests& requests) {
+  const bool typing = ImGui::GetIO().WantTextInput;
+  for (const Action& a : all_actions()) {
+    if (!pressed(a) || (typing && belongs_to_text_field(a)) || taken_by_focus(a)) continue;
+    if (available[static_cast<std::size_t>(a.id)].enabled()) requests.run(a.id);
+  }
+}
+
+}  // namespace stemwise::ui

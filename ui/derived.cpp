@@ -1,0 +1,53 @@
+#include "ui/derived.hpp"
+
+#include <algorithm>
+
+namespace stemwise::ui {
+
+const TreeRow* Derived::tree(TreeId id) const {
+  const auto it = trees.find(id);
+  return it == trees.end() ? nullptr : &tables.trees[it->second];
+}
+
+std::vector<const ObservationRow*> Derived::sightings(TreeId id) const {
+  std::vector<const ObservationRow*> rows;
+  if (const auto it = observations.find(id); it != observations.end()) {
+    for (const std::size_t i : it->second) rows.push_back(&tables.observations[i]);
+  }
+  return rows;
+}
+
+std::vector<const MatchRow*> Derived::matches_of(TreeId id) const {
+  std::vector<const MatchRow*> rows;
+  if (const auto it = matches.find(id); it != matches.end()) {
+    for (const std::size_t i : it->second) rows.push_back(&tables.matches[i]);
+  }
+  return rows;
+}
+
+const QueueRow* Derived::doubt(TreeId id) const {
+  const auto it = queue.find(id);
+  return it == queue.end() ? nullptr : &tables.queue[it->second];
+}
+
+Derived derive(const ProjectState& state, std::uint64_t revision) {
+  Derived d;
+  d.revision = revision;
+  d.tables = derive_tables(state);
+  const Tables& t = d.tables;
+  for (std::size_t i = 0; i < t.observations.size(); ++i) d.observations[t.observations[i].tree].push_back(i);
+  for (std::size_t i = 0; i < t.matches.size(); ++i) d.matches[t.matches[i].tree].push_back(i);
+  for (std::size_t i = 0; i < t.trees.size(); ++i) d.trees[t.trees[i].tree] = i;
+  for (std::size_t i = 0; i < t.queue.size(); ++i) {
+    d.queue.try_emplace(t.queue[i].tree, i);
+    d.decided += t.queue[i].decided ? 1 : 0;
+  }
+  const auto place = [&](InventoryId id) { return std::find(t.inventories.begin(), t.inventories.end(), id) - t.inventories.begin(); };
+  for (auto& [tree, rows] : d.observations) {
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](std::size_t a, std::size_t b) { return place(t.observations[a].stem.inventory) < place(t.observations[b].stem.inventory); });
+  }
+  return d;
+}
+
+}  // namespace stemwise::ui

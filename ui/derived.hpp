@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "core/survey/tables.hpp"
+
+namespace stemwise::ui {
+
+/// The tables of one revision with look-ups by tree, made by a worker: no panel goes through all trees in a frame.
+struct Derived {
+  std::uint64_t revision = 0;
+  Tables tables;
+  std::unordered_map<TreeId, std::vector<std::size_t>> observations;  ///< into tables.observations, in survey order
+  std::unordered_map<TreeId, std::vector<std::size_t>> matches;       ///< into tables.matches
+  std::unordered_map<TreeId, std::size_t> trees;
+  std::unordered_map<TreeId, std::size_t> queue;                      ///< the first (most doubtful) entry of a tree
+  int decided = 0;                                                    ///< of the queue
+
+  const TreeRow* tree(TreeId id) const;
+  std::vector<const ObservationRow*> sightings(TreeId id) const;
+  std::vector<const MatchRow*> matches_of(TreeId id) const;
+  const QueueRow* doubt(TreeId id) const;
+};
+
+Derived derive(const ProjectState& state, std::uint64_t revision);
+
+}  // namespace stemwise::ui

@@ -1,0 +1,34 @@
+#include "ui/dialogs/modal.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace stemwise::ui {
+
+Modal::Modal(Widgets& w, const char* title, float width, float height, bool& open) {
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(w.px(width), screen.x - w.px(32)), height > 0.0f ? std::min(w.px(height), screen.y - w.px(32)) : 0.0f};
+  ImGui::SetNextWindowPos({0.5f * screen.x, 0.46f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize(size, ImGuiCond_Always);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {w.px(20), w.px(16)});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (height <= 0.0f) flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  visible_ = ImGui::BeginPopupModal(title, nullptr, flags);
+  ImGui::PopStyleVar();
+  if (!visible_) return;
+  const Rect head = w.next_rect(w.available_width(), w.px(26));
+  w.text_in({head.x, head.y, head.width - w.px(30), head.height}, title, TextRole::title, Tone::text);
+  const std::string path = std::string("dialog/") + title + "/close";
+  if (w.button_in({head.right() - w.px(24), head.y, w.px(24), w.px(24)}, path, "", {.quiet = true, .icon = icon::cross, .tooltip = "Close  (Esc)"})) open = false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
+  ImGui::SetCursorScreenPos({head.x, head.bottom() + w.px(8)});
+  if (!open) ImGui::CloseCurrentPopup();
+}
+
+Modal::~Modal() {
+  if (visible_) ImGui::EndPopup();
+}
+
+}  // namespace stemwise::ui

@@ -1,0 +1,115 @@
+#include "ui/panels/align_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ui/panels/alignment_words.hpp"
+#include "ui/text/format.hpp"
+
+namespace stemwise::ui {
+namespace {
+
+std::string setting(const Frame& frame, const std::string& key, const std::string& otherwise) {
+  const auto it = frame.state().settings.find(key);
+  return it == frame.state().settings.end() ? otherwise : it->second;
+}
+
+}  // namespace
+
+void AlignPanel::draw(Widgets& w, Frame& frame) {
+  w.text("Align", TextRole::title);
+  w.paragraph("Finds how the surveys lie on each other and which stem is which. No first guess is needed; decisions made by hand are kept.",
+              TextRole::table, Tone::secondary);
+  draw_run(w, frame);
+  draw_settings(w, frame);
+  w.section("Result");
+  const ProjectState& state = frame.state();
+  for (const auto& inventory : state.inventories) draw_result(w, frame, *inventory);
+  bool placed = false;
+  for (const auto& inventory : state.inventories) placed = placed || (inventory->id != state.reference && state.is_placed(inventory->id));
+  w.gap(10);
+  if (placed && w.button("align/next", "Go on to review", {.width = -1.0f, .key = "3"})) frame.requests.run(ActionId::step_review);
+}
+
+void AlignPanel::draw_run(Widgets& w, Frame& frame) {
+  w.gap(8);
+  const JobView* job = frame.status.running();
+  if (job == nullptr) {
+    w.action_button("align/run", ActionId::align_run, frame.available, frame.requests, {.primary = true, .width = -1.0f});
+    return;
+  }
+  w.text(job->title, TextRole::strong);
+  const Rect bar = w.next_rect(w.available_width(), w.px(8));
+  w.progress_bar(bar, job->fraction);
+  ImGui::Dummy({bar.width, bar.height});
+  w.text(job->stage + (job->left_s ? ", " + duration_text(*job->left_s) + " left" : ""), TextRole::table, Tone::secondary);
+  w.record_last("align/stage", job->stage);
+  if (w.button("align/cancel", "Cancel", {.width = -1.0f})) frame.requests.emit(request::CancelJob{job->id});
+}
+
+void AlignPanel::draw_settings(Widgets& w, Frame& frame) {
+  if (!w.fold("align/settings", "Settings", settings_open_)) return;
+  static const std::vector<std::string> presets{"auto", "plot", "route"};
+  const std::string preset = setting(frame, "preset", "auto");
+  int current = static_cast<int>(std::find(presets.begin(), presets.end(), preset) - presets.begin());
+  w.text("Preset for frame folders", TextRole::table, Tone::secondary);
+  if (w.combo("align/preset", presets, current)) frame.requests.emit(request::SetSetting{"preset", presets[static_cast<std::size_t>(current)]});
+  bool accept = setting(frame, "accept_probable", "false") == "true";
+  if (w.checkbox("align/accept_probable_setting", "Take probable poses as aligned", accept)) frame.requests.emit(request::SetSetting{"accept_probable", accept ? "true" : "false"});
+  double seed = std::strtod(setting(frame, "seed", "0").c_str(), nullptr);
+  w.text("Seed (the same seed gives the same result)", TextRole::table, Tone::secondary);
+  w.number("align/seed", seed, "%.0f", w.px(120));
+  if (ImGui::IsItemDeactivatedAfterEdit() && seed >= 0.0) frame.requests.emit(request::SetSetting{"seed", std::to_string(static_cast<std::uint64_t>(seed))});
+}
+
+void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventory) {
+  const ProjectState& state = frame.state();
+  const auto it = state.alignments.find(inventory.id);
+  const bool reference = inventory.id == state.reference;
+  const Rect head = w.next_rect(w.available_width(), w.px(28));
+  w.fill({head.x, head.y + w.px(6), w.px(4), w.px(16)}, inventory_color(state, inventory.id), w.px(2));
+  if (w.area("align/survey/" + inventory.name, head, "")) frame.view.selected_inventory = inventory.id;
+  w.text_in({head.x + w.px(12), head.y, head.width * 0.6f, head.height}, inventory.name, TextRole::strong, Tone::text);
+  const std::string status = reference ? "reference" : it == state.alignments.end() ? "not aligned yet" : to_string(it->second.status);
+  const bool bad = it != state.alignments.end() && (it->second.status == AlignmentStatus::failed || it->second.status == AlignmentStatus::probable);
+  w.text_in({head.x, head.y, head.width, head.height}, status == "failed" ? "refused" : status, TextRole::table, bad ? Tone::warning : reference ? Tone::secondary : Tone::accent, Align::right);
+  w.record("align/status/" + inventory.name, head, status);
+  if (reference || it == state.alignments.end()) return;
+  const InventoryAlignment& a = it->second;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  if (!a.reason.empty()) w.paragraph(a.reason, TextRole::table, Tone::warning);
+  if (a.status == AlignmentStatus::aligned || a.status == AlignmentStatus::probable) {
+    w.fact("align/overlap/" + inventory.name, "Overlap", percent_text(a.overlap, 1), "Matched stems over all stems that both surveys should have seen.");
+    w.fact("align/matched/" + inventory.name, "Matched stems", count_text(a.matched));
+    w.fact("align/residual/" + inventory.name, "Residual", residual_text(a.residual_rms_m), "Root mean square of the planar distances of matched stems.");
+    w.fact("align/observed/" + inventory.name, "Observed", observed_words(a.observed), "Which degrees of freedom the data decided; the others stay zero.");
+    w.fact("align/second/" + inventory.name, "Second-best pose", second_best_words(a.acceptance));
+    w.fact("align/probability/" + inventory.name, "Probability", fixed(a.acceptance.probability, 4), "That this is the right pose and no chance agreement.");
+  }
+  ImGui::PopStyleVar();
+  if (a.status == AlignmentStatus::probable && w.button("align/accept/" + inventory.name, "Accept this pose", {.width = -1.0f})) {
+    frame.requests.emit(request::AcceptProbable{inventory.id});
+  }
+  if (bad) draw_rescue(w, frame, inventory);
+}
+
+void AlignPanel::draw_rescue(Widgets& w, Frame& frame, const Inventory& inventory) {
+  if (!w.fold("align/rescue/" + inventory.name, "Help it along", rescue_open_)) return;
+  w.paragraph("Where does the origin of " + inventory.name + " roughly lie in the reference, and how is it turned?", TextRole::table, Tone::secondary);
+  struct Item { const char* path; const char* name; double& value; const char* format; };
+  const Item items[] = {{"align/rescue/x", "x, m", x_m_, "%.1f"}, {"align/rescue/y", "y, m", y_m_, "%.1f"},
+                        {"align/rescue/yaw", "Turned counter-clockwise, °", yaw_deg_, "%.1f"}, {"align/rescue/radius", "Known to within, m", radius_m_, "%.1f"}};
+  for (const Item& item : items) {
+    const Rect row = w.next_rect(w.available_width(), w.px(28));
+    w.text_in({row.x, row.y, row.width * 0.6f, row.height}, item.name, TextRole::table, Tone::secondary);
+    ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
+    w.number(item.path, item.value, item.format);
+  }
+  if (w.button("align/rescue/run", "Align with this position", {.width = -1.0f, .why_not = frame.available[static_cast<std::size_t>(ActionId::align_run)].why_not})) {
+    frame.requests.emit(request::RoughPose{inventory.id, x_m_, y_m_, yaw_deg_, radius_m_});
+  }
+}
+
+}  // namespace stemwise::ui

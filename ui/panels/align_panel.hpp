@@ -1,0 +1,23 @@
+#pragma once
+#include "ui/frame.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace stemwise::ui {
+
+/// Step 2, right: one button, the result per survey with its reasons, and the ways out of a refusal.
+class AlignPanel {
+ public:
+  void draw(Widgets& w, Frame& frame);
+
+ private:
+  void draw_run(Widgets& w, Frame& frame);
+  void draw_settings(Widgets& w, Frame& frame);
+  void draw_result(Widgets& w, Frame& frame, const Inventory& inventory);
+  void draw_rescue(Widgets& w, Frame& frame, const Inventory& inventory);
+
+  bool settings_open_ = false;
+  bool rescue_open_ = false;
+  double x_m_ = 0.0, y_m_ = 0.0, yaw_deg_ = 0.0, radius_m_ = 10.0;
+};
+
+}  // namespace stemwise::ui

@@ -1,0 +1,45 @@
+#include "ui/panels/bottom_panel.hpp"
+
+#include <imgui.h>
+
+#include "ui/text/format.hpp"
+
+namespace stemwise::ui {
+
+void BottomPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
+  const float y = rect.y + w.px(4);
+  float x = rect.x + w.px(16);
+  const auto count = [](std::size_t n) { return n == 0 ? std::string() : count_text(static_cast<std::int64_t>(n)); };
+  const auto open = frame.tables().queue.size() - static_cast<std::size_t>(frame.derived.decided);
+  x = draw_tab(w, frame, BottomTab::queue, "Review queue", count(open), x, y);
+  x = draw_tab(w, frame, BottomTab::matches, "Matches", count(frame.tables().matches.size()), x, y);
+  x = draw_tab(w, frame, BottomTab::growth, "Growth", "", x, y);
+  x = draw_tab(w, frame, BottomTab::log, "Edit log", count(frame.state().edit_log.size()), x, y);
+  draw_tab(w, frame, BottomTab::jobs, "Jobs and notices", count(frame.status.jobs.size()), x, y);
+  ImGui::SetCursorScreenPos({rect.x + w.px(8), rect.y + w.px(40)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {w.px(8), 0});
+  ImGui::BeginChild("bottom_content", {rect.width - w.px(16), rect.height - w.px(42)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  switch (frame.view.tab) {
+    case BottomTab::queue: queue_.draw(w, frame); break;
+    case BottomTab::matches: matches_.draw(w, frame); break;
+    case BottomTab::growth: growth_.draw(w, frame); break;
+    case BottomTab::log: log_.draw(w, frame); break;
+    case BottomTab::jobs: jobs_.draw(w, frame); break;
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+float BottomPanel::draw_tab(Widgets& w, Frame& frame, BottomTab tab, const char* label, const std::string& count, float x, float y) {
+  const bool active = frame.view.tab == tab;
+  const float label_width = w.text_width(label, TextRole::strong);
+  const float count_width = count.empty() ? 0.0f : w.text_width(count, TextRole::caption) + w.px(8);
+  const Rect rect{x - w.px(6), y, label_width + count_width + w.px(12), w.px(30)};
+  if (w.area(std::string("tabs/") + label, rect, count)) frame.view.tab = tab;
+  w.text_in({x, y, label_width + 1, rect.height}, label, active ? TextRole::strong : TextRole::body, active ? Tone::accent : Tone::secondary);
+  w.text_in({x + label_width + w.px(8), y, count_width, rect.height}, count, TextRole::caption, Tone::secondary);
+  if (active) w.fill({x, rect.bottom(), label_width, w.px(2)}, w.tokens().accent);
+  return rect.right() + w.px(18);
+}
+
+}  // namespace stemwise::ui

@@ -1,0 +1,177 @@
+#include "ui/panels/inspector.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/panels/chart_view.hpp"
+#include "ui/text/format.hpp"
+
+namespace stemwise::ui {
+namespace {
+
+std::array<Rect, 4> history_columns(const Rect& row) {
+  const float widths[] = {0.235f, 0.24f, 0.245f, 0.28f};
+  std::array<Rect, 4> cells;
+  float x = row.x;
+  for (std::size_t i = 0; i < 4; ++i) {
+    cells[i] = {x, row.y, row.width * widths[i] - 4.0f, row.height};
+    x += row.width * widths[i];
+  }
+  return cells;
+}
+
+std::string growth_sentence(const Frame& frame, const TreeRow& tree) {
+  const std::vector<const MatchRow*> matches = frame.derived.matches_of(tree.tree);
+  if (!tree.growth_m_per_year) {
+    return tree.times_seen < 2 ? "Seen in one survey only: no growth yet." : "No growth rate: a DBH or a date is missing.";
+  }
+  std::string text = "Growth " + fixed(*tree.growth_m_per_year * 1000.0, 1) + " mm per year";
+  if (!matches.empty()) {
+    const ChangeClass last = matches.back()->change;
+    if (last == ChangeClass::within_error) text += ", within error";
+    if (last == ChangeClass::shrank) text += ", shrank more than the error";
+  }
+  return text;
+}
+
+}  // namespace
+
+void Inspector::draw(Widgets& w, Frame& frame) {
+  const TreeRow* tree = frame.derived.tree(frame.view.selected_tree);
+  if (tree == nullptr) {
+    draw_nothing(w, frame);
+    return;
+  }
+  draw_head(w, frame, *tree);
+  draw_confidence(w, frame, *tree);
+  draw_history(w, frame, *tree);
+  w.section("DBH over time");
+  const Rect chart = w.next_rect(w.available_width(), w.px(150));
+  draw_chart(w, frame, Chart::tree_history, chart, "review/chart");
+  w.paragraph(growth_sentence(frame, *tree), TextRole::table, Tone::secondary);
+  draw_buttons(w, frame);
+  draw_alternatives(w, frame, *tree);
+  draw_note(w, frame, *tree);
+}
+
+void Inspector::draw_nothing(Widgets& w, Frame& frame) {
+  w.text("No tree selected", TextRole::title);
+  w.gap(4);
+  w.paragraph("Click a stem on the map, a row in the tables, or press N for the most doubtful tree.", TextRole::body, Tone::secondary);
+  w.gap(12);
+  w.action_button("review/next", ActionId::review_next, frame.available, frame.requests, {.width = -1.0f});
+}
+
+void Inspector::draw_head(Widgets& w, Frame& frame, const TreeRow& tree) {
+  const Rect row = w.next_rect(w.available_width(), w.px(28));
+  const std::string label = tree_label(tree.tree);
+  const float label_width = w.text_width(label, TextRole::title);
+  w.text_in({row.x, row.y, label_width + 1, row.height}, label, TextRole::title, Tone::text);
+  w.record("review/tree", {row.x, row.y, label_width, row.height}, label);
+  const std::string fate = fate_label(tree.fate);
+  const float pill_width = w.text_width(fate, TextRole::strong) + w.px(28);
+  const float left = row.x + label_width + w.px(16);
+  w.text_in({left, row.y, row.right() - left - pill_width - w.px(8), row.height}, tree.species, TextRole::table, Tone::secondary);
+  w.pill("review/fate", fate, fate_color(tree.fate), row.right(), row.y + w.px(2));
+  ImGui::Dummy({row.width, row.height});
+  if (const auto it = frame.state().trees.find(tree.tree); it != frame.state().trees.end() && it->second.fate_by_hand) {
+    w.text("fate set by hand", TextRole::caption, Tone::secondary);
+  }
+}
+
+void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
+  const QueueRow* doubt = frame.derived.doubt(tree.tree);
+  const MatchRow* match = match_to_decide(frame.derived, tree.tree);
+  const bool decided = doubt == nullptr || doubt->decided;
+  if (match != nullptr) {
+    const std::string state = match->state == MatchState::automatic ? "" : std::string(" · ") + to_string(match->state) + " by hand";
+    w.text("Confidence " + fixed(match->confidence, 2) + state, TextRole::strong, decided ? Tone::accent : Tone::warning);
+  }
+  std::string why = doubt != nullptr ? doubt->why : match != nullptr ? "no other tree fits; nothing speaks against it" : "seen in one survey only";
+  for (const std::string& flag : tree.flags) why += "; " + flag;
+  w.paragraph(why, TextRole::table, Tone::secondary);
+}
+
+void Inspector::draw_history(Widgets& w, Frame& frame, const TreeRow& tree) {
+  w.gap(6);
+  const Rect head = w.next_rect(w.available_width(), w.px(24));
+  const char* names[] = {"Survey", "DBH cm", "Residual", "Source row"};
+  const std::array<Rect, 4> cells = history_columns(head);
+  for (std::size_t i = 0; i < 4; ++i) w.text_in(cells[i], names[i], TextRole::caption, Tone::secondary);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImGui::Dummy({head.width, head.height});
+  for (const ObservationRow* row : frame.derived.sightings(tree.tree)) draw_sighting(w, frame, *row);
+  ImGui::PopStyleVar();
+}
+
+void Inspector::draw_sighting(Widgets& w, Frame& frame, const ObservationRow& row) {
+  const Rect rect = w.next_rect(w.available_width(), w.px(24));
+  w.hairline(rect.x, rect.y, rect.right(), rect.y + 1);
+  const std::string label = stem_label(frame.state(), row.stem);
+  const bool target = unlink_target(frame.state(), frame.view) == row.stem;
+  if (target) w.fill({rect.x - w.px(6), rect.y + 1, rect.width + w.px(12), rect.height - 1}, w.tokens().accent_soft, w.px(4));
+  if (w.area("review/history/" + label, rect, label)) frame.view.selected_stem = row.stem;
+  if (ImGui::IsItemHovered()) w.tooltip(target ? "Unlink takes this stem out of the tree" : "Click: Unlink takes out this stem");
+  const std::array<Rect, 4> cells = history_columns(rect);
+  w.text_in(cells[0], survey_label(frame.state(), row.stem.inventory), TextRole::table, Tone::text);
+  const std::string error = row.dbh_m && row.dbh_error_m ? " ± " + fixed(*row.dbh_error_m * 100.0, 1) : "";
+  w.text_in(cells[1], dbh_text(row.dbh_m) + error, TextRole::table, Tone::text);
+  w.text_in(cells[2], row.residual_m ? residual_text(*row.residual_m) : dash, TextRole::table, Tone::text);
+  w.text_in(cells[3], label, TextRole::table, Tone::text);
+}
+
+void Inspector::draw_buttons(Widgets& w, Frame& frame) {
+  w.gap(10);
+  const Rect block = w.next_rect(w.available_width(), w.px(68));
+  const float gap = w.px(8);
+  const float half = 0.5f * (block.width - gap);
+  const float height = w.px(30);
+  const float second = block.y + height + gap;
+  w.action_button_in({block.x, block.y, half, height}, "review/accept", ActionId::review_accept, frame.available, frame.requests, {.primary = true});
+  w.action_button_in({block.x + half + gap, block.y, half, height}, "review/reject", ActionId::review_reject, frame.available, frame.requests);
+  w.action_button_in({block.x, second, half, height}, "review/link", ActionId::review_link, frame.available, frame.requests,
+                     {.active = frame.view.tool == Tool::link});
+  w.action_button_in({block.x + half + gap, second, half, height}, "review/unlink", ActionId::review_unlink, frame.available, frame.requests);
+}
+
+void Inspector::draw_alternatives(Widgets& w, Frame& frame, const TreeRow& tree) {
+  w.section("Alternatives");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  int shown = 0;
+  const auto line = [&](const StemRef& from, const StemRef& to, double distance_m, bool current) {
+    const Rect row = w.next_rect(w.available_width(), w.px(24));
+    const Stem* stem = frame.state().find(to);
+    const std::string label = stem_label(frame.state(), to);
+    if (w.area("review/alternative/" + label, row, label) && !current) frame.requests.emit(request::LinkStems{from, to});
+    if (ImGui::IsItemHovered()) w.tooltip(current ? "The stem it is matched with" : "Click: link " + stem_label(frame.state(), from) + " to this stem instead");
+    w.text_in({row.x, row.y, row.width * 0.46f, row.height}, label, TextRole::table, current ? Tone::accent : Tone::text);
+    w.text_in({row.x + row.width * 0.48f, row.y, w.px(70), row.height}, distance_text(distance_m), TextRole::table, Tone::text);
+    w.text_in({row.right() - w.px(80), row.y, w.px(80), row.height}, stem != nullptr && stem->dbh_m ? dbh_text(stem->dbh_m) + " cm" : dash, TextRole::table, Tone::text, Align::right);
+    ++shown;
+  };
+  for (const MatchRow* row : frame.derived.matches_of(tree.tree)) {
+    if (row->state == MatchState::rejected) continue;
+    line(row->a, row->b, row->distance_m, true);
+    const auto it = frame.state().matches.find(ordered(row->a, row->b));
+    if (it == frame.state().matches.end() || !it->second.second_choice) continue;
+    const StemRef other = *it->second.second_choice;
+    line(other.inventory == row->a.inventory ? row->b : row->a, other, it->second.second_distance_m.value_or(0.0), false);
+  }
+  ImGui::PopStyleVar();
+  if (shown == 0) w.text("none within reach", TextRole::table, Tone::secondary);
+}
+
+void Inspector::draw_note(Widgets& w, Frame& frame, const TreeRow& tree) {
+  w.gap(10);
+  if (noted_ != tree.tree) {
+    noted_ = tree.tree;
+    note_ = tree.note;
+  }
+  w.input("review/note", note_, {.hint = "Add a note for the edit log", .lines = 3});
+  if (ImGui::IsItemDeactivatedAfterEdit() && note_ != tree.note) frame.requests.emit(request::SetNote{tree.tree, note_});
+}
+
+}  // namespace stemwise::ui

@@ -1,0 +1,26 @@
+#pragma once
+#include "ui/frame.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace stemwise::ui {
+
+/// The selected tree: what it is, how sure that is and why, its history, what else it could be, and what to do with it.
+class Inspector {
+ public:
+  void draw(Widgets& w, Frame& frame);
+
+ private:
+  void draw_nothing(Widgets& w, Frame& frame);
+  void draw_head(Widgets& w, Frame& frame, const TreeRow& tree);
+  void draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree);
+  void draw_history(Widgets& w, Frame& frame, const TreeRow& tree);
+  void draw_sighting(Widgets& w, Frame& frame, const ObservationRow& row);
+  void draw_buttons(Widgets& w, Frame& frame);
+  void draw_alternatives(Widgets& w, Frame& frame, const TreeRow& tree);
+  void draw_note(Widgets& w, Frame& frame, const TreeRow& tree);
+
+  TreeId noted_;        ///< the tree whose note is in the field
+  std::string note_;
+};
+
+}  // namespace stemwise::ui

@@ -1,0 +1,115 @@
+#include "ui/panels/inventory_details.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "ui/text/format.hpp"
+
+namespace stemwise::ui {
+
+void InventoryDetails::draw(Widgets& w, Frame& frame) {
+  const ProjectState& state = frame.state();
+  const Inventory* inventory = state.find(frame.view.selected_inventory);
+  if (inventory == nullptr) inventory = state.find(state.reference);
+  if (inventory == nullptr) return;
+  w.text(inventory->name, TextRole::title);
+  w.record_last("details/name", inventory->name);
+  w.text(inventory->id == state.reference ? "The reference: all others are aligned to it" : "Will be aligned to the reference", TextRole::table, Tone::secondary);
+  if (counts_.id != inventory->id) count(*inventory);
+  draw_facts(w, *inventory);
+  draw_date(w, frame, *inventory);
+  w.section("How it was read");
+  for (const std::string& note : inventory->source.notes) w.paragraph(note, TextRole::table, Tone::secondary);
+  if (inventory->source.notes.empty()) w.text("No notes.", TextRole::table, Tone::secondary);
+  draw_first_rows(w, *inventory);
+  w.gap(12);
+  frame.view.selected_inventory = inventory->id;
+  w.action_button("details/make_reference", ActionId::edit_make_reference, frame.available, frame.requests, {.width = -1.0f});
+  w.action_button("details/remove", ActionId::edit_remove_inventory, frame.available, frame.requests, {.width = -1.0f});
+  w.gap(8);
+  const bool enough = state.inventories.size() >= 2;
+  if (enough && w.button("details/next", "Go on to align", {.primary = true, .width = -1.0f, .key = "2"})) frame.requests.run(ActionId::step_align);
+  if (!enough) w.paragraph("Add at least one more survey of the same forest to align.", TextRole::table, Tone::secondary);
+}
+
+void InventoryDetails::count(const Inventory& inventory) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  counts_ = {inventory.id, 0, 0, 0, 0, inf, -inf, inf, -inf, 0.0};
+  for (const Stem& s : inventory.stems) {
+    counts_.with_dbh += s.dbh_m ? 1 : 0;
+    counts_.with_z += s.z_m ? 1 : 0;
+    counts_.with_axis += s.axis ? 1 : 0;
+    counts_.reconstructed += s.reconstructed ? 1 : 0;
+    counts_.mean_dbh_m += s.dbh_m.value_or(0.0);
+    counts_.min_x = std::min(counts_.min_x, s.x_m);
+    counts_.max_x = std::max(counts_.max_x, s.x_m);
+    counts_.min_y = std::min(counts_.min_y, s.y_m);
+    counts_.max_y = std::max(counts_.max_y, s.y_m);
+  }
+  if (counts_.with_dbh > 0) counts_.mean_dbh_m /= static_cast<double>(counts_.with_dbh);
+}
+
+void InventoryDetails::draw_facts(Widgets& w, const Inventory& inventory) {
+  const auto total = static_cast<double>(std::max<std::size_t>(inventory.stems.size(), 1));
+  const auto share = [&](std::size_t n) { return count_text(static_cast<std::int64_t>(n)) + " (" + percent_text(static_cast<double>(n) / total) + ")"; };
+  w.gap(8);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  w.fact("details/format", "Format", inventory.source.format);
+  w.fact("details/file", "File", inventory.source.path, inventory.source.path);
+  w.fact("details/stems", "Stems", count_text(static_cast<std::int64_t>(inventory.stems.size())));
+  w.fact("details/dbh", "With a measured DBH", share(counts_.with_dbh));
+  if (counts_.with_dbh > 0) w.fact("details/mean_dbh", "Mean DBH", dbh_text(counts_.mean_dbh_m) + " cm");
+  w.fact("details/z", "With a height of the base", share(counts_.with_z));
+  w.fact("details/axis", "With a stem axis", share(counts_.with_axis));
+  w.fact("details/extent", "Extent", fixed(counts_.max_x - counts_.min_x, 0) + " × " + fixed(counts_.max_y - counts_.min_y, 0) + " m");
+  if (inventory.frames) w.fact("details/frames", "Frames", count_text(static_cast<std::int64_t>(inventory.frames->frames.size())));
+  if (inventory.source.epsg) w.fact("details/crs", "CRS", "EPSG:" + std::to_string(*inventory.source.epsg));
+  ImGui::PopStyleVar();
+}
+
+void InventoryDetails::draw_date(Widgets& w, Frame& frame, const Inventory& inventory) {
+  if (dated_ != inventory.id) {
+    dated_ = inventory.id;
+    date_ = inventory.date ? to_string(*inventory.date) : "";
+    date_problem_.clear();
+  }
+  w.section("Date of the survey");
+  w.input("details/date", date_, {.hint = "2023-05-04, or a year"});
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
+    const std::optional<Date> date = parse_date(date_);
+    date_problem_ = !date && !date_.empty() ? "\"" + date_ + "\" is not a date. Write it as 2023-05-04." : "";
+    if (date_problem_.empty() && date != inventory.date) frame.requests.emit(request::SetDate{inventory.id, date});
+  }
+  if (!date_problem_.empty()) w.paragraph(date_problem_, TextRole::table, Tone::warning);
+  if (!inventory.date && date_problem_.empty()) w.paragraph("Without a date there are no growth rates per year.", TextRole::table, Tone::secondary);
+}
+
+void InventoryDetails::draw_first_rows(Widgets& w, const Inventory& inventory) {
+  w.section("First rows as understood");
+  const char* names[] = {"Id", "x, m", "y, m", "DBH, cm", "Species"};
+  const float shares[] = {0.18f, 0.23f, 0.23f, 0.16f, 0.2f};
+  const std::size_t rows = std::min<std::size_t>(inventory.stems.size(), 5);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  for (std::size_t r = 0; r <= rows; ++r) {
+    const Rect line = w.next_rect(w.available_width(), w.px(22));
+    float x = line.x;
+    for (std::size_t c = 0; c < 5; ++c) {
+      std::string text = names[c];
+      if (r > 0) {
+        const Stem& s = inventory.stems[r - 1];
+        const std::string cells[] = {s.source_id, grouped(s.x_m, 2), grouped(s.y_m, 2), dbh_text(s.dbh_m), s.species.empty() ? dash : s.species};
+        text = cells[c];
+      }
+      const Rect cell{x, line.y, line.width * shares[c] - w.px(6), line.height};
+      w.text_in(cell, text, r == 0 ? TextRole::caption : TextRole::table, r == 0 ? Tone::secondary : Tone::text, c > 0 && c < 4 ? Align::right : Align::left);
+      x += line.width * shares[c] + (c == 3 ? w.px(6) : 0.0f);
+    }
+    if (r > 0) w.hairline(line.x, line.y, line.right(), line.y + 1);
+    ImGui::Dummy({line.width, line.height});
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace stemwise::ui

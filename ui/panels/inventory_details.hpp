@@ -1,0 +1,29 @@
+#pragma once
+#include "ui/frame.hpp"
+#include "ui/widgets/widgets.hpp"
+
+namespace stemwise::ui {
+
+/// Step 1, right: how the selected inventory was understood, and what can be done with it.
+class InventoryDetails {
+ public:
+  void draw(Widgets& w, Frame& frame);
+
+ private:
+  void draw_facts(Widgets& w, const Inventory& inventory);
+  void draw_date(Widgets& w, Frame& frame, const Inventory& inventory);
+  void draw_first_rows(Widgets& w, const Inventory& inventory);
+  void count(const Inventory& inventory);
+
+  struct Counts {
+    InventoryId id;
+    std::size_t with_dbh = 0, with_z = 0, with_axis = 0, reconstructed = 0;
+    double min_x = 0, max_x = 0, min_y = 0, max_y = 0, mean_dbh_m = 0;
+  };
+  Counts counts_;
+  InventoryId dated_;
+  std::string date_;
+  std::string date_problem_;
+};
+
+}  // namespace stemwise::ui

@@ -1,0 +1,87 @@
+#include "ui/panels/table_view.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace stemwise::ui {
+namespace {
+
+void draw_head(Widgets& w, const TableView& table) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers, w.px(26));
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    ImGui::TableSetColumnIndex(static_cast<int>(c));
+    w.push_font(TextRole::caption);
+    ImGui::PushStyleColor(ImGuiCol_Text, w.tokens().secondary.packed());
+    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, w.tokens().canvas.packed());
+    ImGui::TableHeader(table.columns[c].name.c_str());
+    ImGui::PopStyleColor(2);
+    w.pop_font();
+    w.record_last(table.path + "/head/" + table.columns[c].name, table.columns[c].name);
+  }
+}
+
+void apply_sorting(const TableView& table) {
+  ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (specs == nullptr || !specs->SpecsDirty || !table.sorted) return;
+  if (specs->SpecsCount > 0) {
+    table.sorted(static_cast<std::size_t>(specs->Specs[0].ColumnIndex), specs->Specs[0].SortDirection != ImGuiSortDirection_Descending);
+  }
+  specs->SpecsDirty = false;
+}
+
+void draw_row(Widgets& w, const TableView& table, std::size_t row) {
+  const float height = w.px(28);
+  ImGui::TableNextRow(ImGuiTableRowFlags_None, height);
+  ImGui::TableSetColumnIndex(0);
+  const bool selected = table.selected && table.selected(row);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(static_cast<int>(row));
+  // The row's own selectable reaches over all columns; the cells are drawn over it.
+  const float pad = ImGui::GetStyle().CellPadding.y;
+  const bool pressed = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
+                                         {0, height - 2 * pad});
+  const std::string path = table.path + "/row/" + std::to_string(row);
+  w.record_last(path, table.cell(row, 0).text);
+  ImGui::PopID();
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    ImGui::TableSetColumnIndex(static_cast<int>(c));
+    const TableCell cell = table.cell(row, c);
+    const Rect rect{ImGui::GetCursorScreenPos().x, at.y, ImGui::GetContentRegionAvail().x, height - 2 * pad};
+    w.text_in(rect, cell.text, TextRole::table, cell.tone, table.columns[c].number ? Align::right : Align::left);
+  }
+  if (pressed && table.clicked) table.clicked(row);
+}
+
+}  // namespace
+
+void draw_table(Widgets& w, const TableView& table) {
+  if (table.rows == 0) {
+    w.gap(8);
+    w.text(table.empty_text, TextRole::body, Tone::secondary);
+    return;
+  }
+  ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
+  if (table.sorted) flags |= ImGuiTableFlags_Sortable;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {w.px(8), w.px(3)});
+  if (ImGui::BeginTable(table.path.c_str(), static_cast<int>(table.columns.size()), flags, {0, 0})) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (const Column& c : table.columns) {
+      const ImGuiTableColumnFlags first = c.sorts_first ? ImGuiTableColumnFlags_DefaultSort : 0;
+      ImGui::TableSetupColumn(c.name.c_str(), ImGuiTableColumnFlags_WidthStretch | first, c.weight);
+    }
+    draw_head(w, table);
+    apply_sorting(table);
+    const float row_height = w.px(28);
+    if (table.scroll_to < table.rows) ImGui::SetScrollY(std::max(0.0f, row_height * (static_cast<float>(table.scroll_to) - 2.0f)));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(table.rows), row_height);
+    while (clipper.Step()) {
+      for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) draw_row(w, table, static_cast<std::size_t>(row));
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace stemwise::ui

@@ -1,0 +1,148 @@
+#include "ui/panels/viewport_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemwise::ui {
+
+void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
+  draw_picture(w, frame, rect);
+  draw_hover(w, frame, rect);
+  draw_tools(w, frame, rect);
+  draw_banner(w, frame, rect);
+}
+
+void ViewportPanel::draw_picture(Widgets& w, Frame& frame, const Rect& rect) {
+  const ViewportPicture& picture = frame.status.viewport;
+  w.fill(rect, w.tokens().map);
+  if (picture.texture != 0) {
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture)), {rect.x, rect.y},
+                                         {rect.right(), rect.bottom()}, {0, 1}, {1, 0});
+  }
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::InvisibleButton("viewport", {std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
+  ImGui::SetItemAllowOverlap();
+  w.record_last("viewport", frame.view.mode == ViewMode::map ? "map" : "3D");
+  send_pointer(frame, rect);
+}
+
+void ViewportPanel::send_pointer(Frame& frame, const Rect& rect) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool active = ImGui::IsItemActive();
+  request::Pointer p;
+  p.hovered = ImGui::IsItemHovered();
+  p.x_px = io.MousePos.x - rect.x;
+  p.y_px = io.MousePos.y - rect.y;
+  p.shift = io.KeyShift;
+  p.ctrl = io.KeyCtrl;
+  if (ImGui::IsItemActivated()) {
+    press_x_ = io.MousePos.x;
+    press_y_ = io.MousePos.y;
+    moved_ = false;
+  }
+  moved_ = moved_ || (active && std::hypot(io.MousePos.x - press_x_, io.MousePos.y - press_y_) > 4.0f);
+  if (active && moved_) {
+    p.left_down = io.MouseDown[0];
+    p.right_down = io.MouseDown[1];
+    p.middle_down = io.MouseDown[2];
+    p.dx_px = io.MouseDelta.x;
+    p.dy_px = io.MouseDelta.y;
+  }
+  p.clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(0) && !moved_;
+  p.double_clicked = p.hovered && ImGui::IsMouseDoubleClicked(0);
+  if (p.hovered) p.wheel = io.MouseWheel;
+  frame.requests.emit(p);
+}
+
+void ViewportPanel::draw_tools(Widgets& w, Frame& frame, const Rect& rect) {
+  const float height = w.px(30);
+  float x = rect.x + w.px(12);
+  const float y = rect.y + w.px(12);
+  const Tokens& t = w.tokens();
+  const auto plate = [&](float width) { w.fill({x, y, width, height}, t.panel, w.px(6)); };
+
+  plate(w.px(150));
+  w.outline({x, y, w.px(150), height}, t.line, w.px(6));
+  const bool map = frame.view.mode == ViewMode::map;
+  if (w.button_in({x + 2, y + 2, w.px(74), height - 4}, "viewport/map", "Map", {.quiet = !map, .active = map, .tooltip = "The map from above  (M)"}) && !map) {
+    frame.requests.run(ActionId::view_mode);
+  }
+  if (w.button_in({x + w.px(76), y + 2, w.px(72), height - 4}, "viewport/3d", "3D", {.quiet = map, .active = !map, .tooltip = "Stems as cylinders  (M)"}) && map) {
+    frame.requests.run(ActionId::view_mode);
+  }
+  x += w.px(162);
+  struct Item { const char* path; const char* label; ActionId id; bool on; };
+  const Item items[] = {{"viewport/select", "Select", ActionId::tool_select, frame.view.tool == Tool::select},
+                        {"viewport/measure", "Measure", ActionId::tool_measure, frame.view.tool == Tool::measure},
+                        {"viewport/link", "Link", ActionId::review_link, frame.view.tool == Tool::link}};
+  for (const Item& item : items) {
+    plate(w.px(76));
+    const std::string& why_not = frame.available[static_cast<std::size_t>(item.id)].why_not;
+    const std::string hint = std::string(action(item.id).help) + "  (" + to_string(action(item.id).chord) + ")";
+    if (w.button_in({x, y, w.px(76), height}, item.path, item.label, {.active = item.on, .why_not = why_not, .tooltip = hint})) frame.requests.run(item.id);
+    x += w.px(82);
+  }
+  plate(w.px(76));
+  const Rect layers{x, y, w.px(76), height};
+  if (w.button_in(layers, "viewport/layers", "Layers", {.tooltip = "What is laid over the stems"})) ImGui::OpenPopup("layers");
+  draw_layers(w, frame, layers);
+}
+
+void ViewportPanel::draw_layers(Widgets& w, Frame& frame, const Rect& button) {
+  ImGui::SetNextWindowPos({button.x, button.bottom() + w.px(4)});
+  if (!ImGui::BeginPopup("layers")) return;
+  Layers& l = frame.view.layers;
+  w.checkbox("layers/links", "Match links", l.links);
+  w.checkbox("layers/coverage", "Coverage of each survey", l.coverage);
+  w.checkbox("layers/grid", "Grid", l.grid);
+  w.checkbox("layers/ground", "Ground (3D)", l.ground);
+  w.checkbox("layers/labels", "Tree labels", l.labels);
+  ImGui::EndPopup();
+}
+
+void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
+  if (!frame.status.hover) return;
+  const HoverCard& card = *frame.status.hover;
+  const float width = std::max(w.text_width(card.title, TextRole::strong), w.text_width(card.detail, TextRole::table)) + w.px(26);
+  const float height = w.px(card.detail.empty() ? 32 : 52);
+  float x = rect.x + static_cast<float>(card.x_px) + w.px(26);
+  if (x + width > rect.right() - w.px(8)) x = rect.x + static_cast<float>(card.x_px) - w.px(26) - width;
+  float y = rect.y + static_cast<float>(card.y_px) - 0.5f * height;
+  y = std::clamp(y, rect.y + w.px(48), std::max(rect.y + w.px(48), rect.bottom() - height - w.px(8)));
+  const Rect plate{std::round(x), std::round(y), width, height};
+  w.fill(plate, w.tokens().panel, w.px(6));
+  w.outline(plate, w.tokens().line, w.px(6));
+  w.text_in({plate.x + w.px(12), plate.y + w.px(6), width, w.px(20)}, card.title, TextRole::strong, Tone::text);
+  if (!card.detail.empty()) {
+    w.text_in({plate.x + w.px(12), plate.y + w.px(27), width, w.px(18)}, card.detail, TextRole::table, card.warning ? Tone::warning : Tone::secondary);
+  }
+  w.record("viewport/hover", plate, card.title);
+  w.record("viewport/tree", {rect.x + static_cast<float>(card.x_px), rect.y + static_cast<float>(card.y_px), 0, 0}, card.title);
+}
+
+void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
+  if (frame.status.measure_line) {
+    const OverlayLine& line = *frame.status.measure_line;
+    const ImVec2 a{rect.x + static_cast<float>(line.x0_px), rect.y + static_cast<float>(line.y0_px)};
+    const ImVec2 b{rect.x + static_cast<float>(line.x1_px), rect.y + static_cast<float>(line.y1_px)};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddLine(a, b, w.tokens().accent.packed(), w.px(2));
+    draw->AddCircleFilled(a, w.px(4), w.tokens().accent.packed());
+    draw->AddCircleFilled(b, w.px(4), w.tokens().accent.packed());
+  }
+  std::string text;
+  if (frame.view.tool == Tool::link) text = "Click the stem that is the same tree as " + stem_label(frame.state(), frame.view.link_from) + ".  Esc: never mind";
+  if (frame.view.tool == Tool::measure) text = frame.status.measure_text;
+  if (frame.view.blink) text = "Blinking between surveys.  Space: stop";
+  if (text.empty()) return;
+  const float width = std::min(w.text_width(text, TextRole::body) + w.px(32), rect.width - w.px(24));
+  const Rect plate{std::round(rect.center_x() - 0.5f * width), rect.bottom() - w.px(52), width, w.px(34)};
+  w.fill(plate, w.tokens().accent, w.px(12));
+  w.text_in({plate.x + w.px(16), plate.y, plate.width - w.px(32), plate.height}, text, TextRole::body, Tone::on_accent, Align::center);
+  w.record("viewport/banner", plate, text);
+}
+
+}  // namespace stemwise::ui

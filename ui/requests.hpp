@@ -1,0 +1,79 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/date.hpp"
+#include "core/geodesy/georeference.hpp"
+#include "core/project/project_state.hpp"
+#include "ui/actions/action.hpp"
+#include "ui/charts.hpp"
+#include "ui/geometry.hpp"
+
+namespace stemwise::ui {
+
+/// What the panels ask for; `app` answers with commands, jobs and changes of the view.
+namespace request {
+struct Run { ActionId action; };
+struct SelectTree { TreeId tree; bool fly = true; };
+struct AddInventories { std::vector<std::string> paths; };
+struct OpenProject { std::string path; };
+struct SaveProject { std::string path; };
+struct RemoveInventory { InventoryId inventory; };
+struct MakeReference { InventoryId inventory; };
+struct SetDate { InventoryId inventory; std::optional<Date> date; };
+struct AcceptProbable { InventoryId inventory; };
+struct LinkStems { StemRef a, b; };
+struct RejectPair { StemRef a, b; };
+struct AcceptPair { StemRef a, b; };
+struct SetFate { TreeId tree; std::optional<Fate> fate; };
+struct SetNote { TreeId tree; std::string note; };
+struct SetFusion { FusionPolicy policy; };
+struct SetGeoreference { Georeference georeference; };
+struct SetSetting { std::string key, value; };
+struct GoToHistory { std::size_t position; };
+struct CancelJob { int job; };
+struct DismissNotice { int notice; };
+struct DismissNotices {};
+struct Recover { bool yes; };
+struct Leave { bool save; };
+/// A rough position of an inventory's origin in the reference: the way out of a refusal.
+struct RoughPose { InventoryId inventory; double x_m, y_m, yaw_deg, radius_m; };
+struct Export { std::string path, layer; int epsg = 0; bool decimal_comma = false; bool semicolon = false; };
+struct WriteReport { std::string path; double area_ha = 0.0; };
+/// A panel shows this chart at this size; the mouse is over it at x, y (negative: it is not).
+struct ShowChart { Chart chart; int width_px, height_px; double x_px = -1.0, y_px = -1.0; bool clicked = false; };
+/// The mouse over the map or the 3D view, in pixels of the picture from its upper left corner.
+struct Pointer {
+  double x_px = 0, y_px = 0;
+  double dx_px = 0, dy_px = 0;   ///< since the last frame, while a button is down
+  double wheel = 0;
+  bool hovered = false;
+  bool clicked = false;          ///< pressed and released without moving
+  bool double_clicked = false;
+  bool left_down = false, middle_down = false, right_down = false;
+  bool shift = false, ctrl = false;
+};
+}  // namespace request
+
+using Request =
+    std::variant<request::Run, request::SelectTree, request::AddInventories, request::OpenProject, request::SaveProject,
+                 request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::LinkStems,
+                 request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
+                 request::SetGeoreference, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,
+                 request::DismissNotices, request::Recover, request::Leave, request::RoughPose, request::Export, request::WriteReport,
+                 request::ShowChart, request::Pointer>;
+
+/// Filled while a frame is drawn, emptied by `app` after it.
+class Requests {
+ public:
+  void emit(Request request) { queue_.push_back(std::move(request)); }
+  void run(ActionId action) { emit(request::Run{action}); }
+  std::vector<Request> take() { return std::exchange(queue_, {}); }
+
+ private:
+  std::vector<Request> queue_;
+};
+
+}  // namespace stemwise::ui

@@ -1,0 +1,236 @@
+#include "ui/shell.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "ui/actions/keys.hpp"
+#include "ui/dialogs/file_browser.hpp"
+#include "ui/dialogs/palette.hpp"
+#include "ui/dialogs/small_dialogs.hpp"
+#include "ui/panels/align_panel.hpp"
+#include "ui/panels/bottom_panel.hpp"
+#include "ui/panels/empty_state.hpp"
+#include "ui/panels/inspector.hpp"
+#include "ui/panels/inventories_panel.hpp"
+#include "ui/panels/inventory_details.hpp"
+#include "ui/panels/menu_bar.hpp"
+#include "ui/panels/merge_panel.hpp"
+#include "ui/panels/report_panel.hpp"
+#include "ui/panels/status_bar.hpp"
+#include "ui/panels/step_bar.hpp"
+#include "ui/panels/toasts.hpp"
+#include "ui/panels/viewport_panel.hpp"
+
+namespace stemwise::ui {
+namespace {
+
+/// Where everything goes, in pixels.
+struct Layout {
+  Rect steps, left, middle, right, bottom, status;
+};
+
+Layout lay_out(const Widgets& w, const ViewState& view, float width, float height) {
+  const PanelSizes& p = view.panels;
+  const float top = w.px(MenuBar::height);
+  const float body_top = top + w.px(StepBar::height);
+  const float body_bottom = height - w.px(StatusBar::height);
+  const float left = p.show_left ? std::min(w.px(p.left), 0.35f * width) : 0.0f;
+  const float right = p.show_right ? std::min(w.px(p.right), 0.40f * width) : 0.0f;
+  const float bottom = p.show_bottom ? std::min(w.px(p.bottom), 0.50f * (body_bottom - body_top)) : 0.0f;
+  Layout l;
+  l.steps = {0, top, width, w.px(StepBar::height)};
+  l.left = {0, body_top, left, body_bottom - body_top};
+  l.right = {width - right, body_top, right, body_bottom - body_top};
+  l.middle = {left, body_top, width - left - right, body_bottom - body_top - bottom};
+  l.bottom = {left, body_bottom - bottom, width - left - right, bottom};
+  l.status = {0, body_bottom, width, height - body_bottom};
+  return l;
+}
+
+}  // namespace
+
+struct Shell::Impl {
+  Widgets widgets;
+  Theme applied;
+  bool prepared = false;
+  Rect viewport;
+  MenuBar menu_bar;
+  StepBar step_bar;
+  InventoriesPanel inventories;
+  ViewportPanel viewport_panel;
+  Inspector inspector;
+  InventoryDetails details;
+  AlignPanel align;
+  MergePanel merge;
+  ReportPanel report;
+  BottomPanel bottom;
+  StatusBar status_bar;
+  EmptyState empty;
+  FileBrowser files;
+  Palette palette;
+  Dialog browsing = Dialog::none;  ///< which dialog the file browser is open for
+
+  void draw_body(Frame& frame, const Layout& l);
+  void draw_left(Frame& frame, const Rect& rect);
+  void draw_right(Frame& frame, const Rect& rect);
+  void draw_splitters(Frame& frame, const Layout& l);
+  void draw_dialogs(Frame& frame);
+  void start_browsing(Frame& frame);
+  void finish_browsing(Frame& frame, const std::vector<std::string>& paths);
+};
+
+Shell::Shell() : impl_(std::make_unique<Impl>()) {}
+Shell::~Shell() = default;
+const WidgetRegistry& Shell::registry() const { return impl_->widgets.registry; }
+Rect Shell::viewport_rect() const { return impl_->viewport; }
+
+bool Shell::prepare(const ViewState& view, float display_scale) {
+  const Theme wanted{view.theme, display_scale * static_cast<float>(view.zoom_percent / 100.0), view.reduce_motion};
+  const bool new_fonts = !impl_->prepared || impl_->widgets.fonts.scale() != wanted.scale;
+  if (new_fonts) impl_->widgets.fonts.load(wanted.scale);
+  if (new_fonts || !(wanted == impl_->applied)) apply_style(wanted);
+  impl_->widgets.theme = impl_->applied = wanted;
+  impl_->prepared = true;
+  return new_fonts;
+}
+
+void Shell::draw(Frame& frame) {
+  Widgets& w = impl_->widgets;
+  w.registry.begin_frame();
+  if (frame.view.dialog == Dialog::none) run_keys(frame.available, frame.requests);
+  if (frame.view.dialog == Dialog::none && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    frame.view.tool = Tool::select;
+    frame.view.blink = false;
+  }
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Layout layout = lay_out(w, frame.view, size.x, size.y);
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGui::Begin("stemwise", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar(3);
+  impl_->menu_bar.draw(w, frame);
+  impl_->step_bar.draw(w, frame, layout.steps);
+  impl_->draw_body(frame, layout);
+  impl_->status_bar.draw(w, frame, layout.status);
+  impl_->draw_dialogs(frame);
+  ImGui::End();
+  const Rect stage = frame.state().inventories.empty() ? Rect{0, layout.middle.y, size.x, layout.left.height} : layout.middle;
+  draw_toasts(w, frame, stage);
+}
+
+void Shell::Impl::draw_body(Frame& frame, const Layout& l) {
+  if (frame.state().inventories.empty()) {
+    viewport = {};
+    empty.draw(widgets, frame, {0, l.left.y, l.right.right(), l.left.height});
+    return;
+  }
+  viewport = l.middle;
+  draw_left(frame, l.left);
+  draw_right(frame, l.right);
+  if (l.bottom.height > 0) {
+    widgets.fill(l.bottom, widgets.tokens().panel);
+    bottom.draw(widgets, frame, l.bottom);
+  }
+  ImGui::SetCursorScreenPos({l.middle.x, l.middle.y});
+  ImGui::BeginChild("middle", {l.middle.width, l.middle.height}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  viewport_panel.draw(widgets, frame, l.middle);
+  ImGui::EndChild();
+  widgets.hairline(l.left.right() - 1, l.left.y, l.left.right(), l.left.bottom());
+  widgets.hairline(l.right.x, l.right.y, l.right.x + 1, l.right.bottom());
+  if (l.bottom.height > 0) widgets.hairline(l.bottom.x, l.bottom.y, l.bottom.right(), l.bottom.y + 1);
+  draw_splitters(frame, l);
+}
+
+void Shell::Impl::draw_splitters(Frame& frame, const Layout& l) {
+  PanelSizes& p = frame.view.panels;
+  const float grip = widgets.px(6);
+  if (p.show_left) widgets.splitter("splitter/left", {l.left.right() - 0.5f * grip, l.left.y, grip, l.left.height}, true, p.left, 220, 480, false);
+  if (p.show_right) widgets.splitter("splitter/right", {l.right.x - 0.5f * grip, l.right.y, grip, l.right.height}, true, p.right, 300, 560, true);
+  if (p.show_bottom) widgets.splitter("splitter/bottom", {l.bottom.x + grip, l.bottom.y - 0.5f * grip, l.bottom.width - 2 * grip, grip}, false, p.bottom, 140, 620, true);
+}
+
+void Shell::Impl::draw_left(Frame& frame, const Rect& rect) {
+  if (rect.width <= 0) return;
+  widgets.fill(rect, widgets.tokens().panel);
+  const float grip = widgets.px(3);
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {widgets.px(13), widgets.px(10)});
+  ImGui::BeginChild("left", {rect.width - grip, rect.height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  inventories.draw(widgets, frame);
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+void Shell::Impl::draw_right(Frame& frame, const Rect& rect) {
+  if (rect.width <= 0) return;
+  widgets.fill(rect, widgets.tokens().panel);
+  const float grip = widgets.px(3);
+  ImGui::SetCursorScreenPos({rect.x + grip, rect.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {widgets.px(14), widgets.px(10)});
+  ImGui::PushID(static_cast<int>(frame.view.step));
+  ImGui::BeginChild("right", {rect.width - grip, rect.height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  switch (frame.view.step) {
+    case Step::inventories: details.draw(widgets, frame); break;
+    case Step::align: align.draw(widgets, frame); break;
+    case Step::review: inspector.draw(widgets, frame); break;
+    case Step::merge: merge.draw(widgets, frame); break;
+    case Step::report: report.draw(widgets, frame); break;
+  }
+  ImGui::EndChild();
+  ImGui::PopID();
+  ImGui::PopStyleVar();
+}
+
+void Shell::Impl::draw_dialogs(Frame& frame) {
+  switch (frame.view.dialog) {
+    case Dialog::none:
+      // A modal popup that nobody draws any more would go on blocking the mouse.
+      if (ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, false);
+      break;
+    case Dialog::palette: palette.draw(widgets, frame); break;
+    case Dialog::keys: draw_keys_sheet(widgets, frame); break;
+    case Dialog::about: draw_about(widgets, frame); break;
+    case Dialog::history: draw_history(widgets, frame); break;
+    case Dialog::recover: draw_recovery(widgets, frame); break;
+    case Dialog::leave: draw_leave(widgets, frame); break;
+    default:
+      if (!files.is_open() || browsing != frame.view.dialog) start_browsing(frame);
+      if (const auto paths = files.draw(widgets, frame.status.home_folder, frame.status.places)) finish_browsing(frame, *paths);
+      if (!files.is_open()) frame.view.dialog = Dialog::none;
+      break;
+  }
+}
+
+void Shell::Impl::start_browsing(Frame& frame) {
+  browsing = frame.view.dialog;
+  const std::string& title = frame.status.project_title;
+  FileBrowserMode mode;
+  switch (browsing) {
+    case Dialog::open_project: mode = {"Open a project", "Open", {".gpkg"}, false, false, ""}; break;
+    case Dialog::add_inventories: mode = {"Add inventories", "Add", {}, false, true, ""}; break;
+    case Dialog::save_project: mode = {"Save the project", "Save", {".gpkg"}, true, false, title + ".gpkg"}; break;
+    case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".geojson", ".csv"}, true, false, title + "-trees.gpkg"}; break;
+    default: mode = {"Write the report to", "Choose", {".html", ".csv"}, true, false, title + "-growth.html"}; break;
+  }
+  files.open(std::move(mode), frame.status.working_folder);
+}
+
+void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& paths) {
+  if (paths.empty()) return;
+  switch (browsing) {
+    case Dialog::open_project: frame.requests.emit(request::OpenProject{paths.front()}); break;
+    case Dialog::add_inventories: frame.requests.emit(request::AddInventories{paths}); break;
+    case Dialog::save_project: frame.requests.emit(request::SaveProject{paths.front()}); break;
+    case Dialog::export_path: report.set_export_path(paths.front()); break;
+    default: report.set_report_path(paths.front()); break;
+  }
+}
+
+}  // namespace stemwise::ui

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+
+#include "ui/frame.hpp"
+#include "ui/geometry.hpp"
+#include "ui/widgets/registry.hpp"
+
+namespace stemwise::ui {
+
+/// The whole window: all panels and dialogs in the current ImGui context.
+class Shell {
+ public:
+  Shell();
+  ~Shell();
+
+  /// Loads fonts and sets the style where theme or scale changed. True when the font texture has to be made anew.
+  /// Before ImGui::NewFrame.
+  bool prepare(const ViewState& view, float display_scale);
+  /// Between ImGui::NewFrame and ImGui::Render.
+  void draw(Frame& frame);
+
+  const WidgetRegistry& registry() const;
+  /// Where the map or 3D view goes, in pixels; empty while something else is there. Known after the first draw.
+  Rect viewport_rect() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace stemwise::ui

@@ -1,0 +1,93 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "ui/widgets/widgets.hpp"
+
+namespace stemwise::ui {
+
+bool Widgets::checkbox(const std::string& path, const std::string& label, bool& value, const std::string& hint) {
+  const Rect row = next_rect(px(16) + px(8) + text_width(label, TextRole::body) + px(4), px(24));
+  const bool pressed = area(path, row, value ? "on" : "off");
+  if (ImGui::IsItemHovered() && !hint.empty()) tooltip(hint);
+  if (pressed) value = !value;
+  const Rect box{row.x + px(1), row.center_y() - px(8), px(16), px(16)};
+  fill(box, value ? tokens().accent : tokens().canvas, px(4));
+  outline(box, value ? tokens().accent : tokens().line, px(4));
+  if (value) text_in(box, icon::check, TextRole::caption, Tone::on_accent, Align::center);
+  text_in({box.right() + px(8), row.y, row.width, row.height}, label, TextRole::body, Tone::text);
+  return pressed;
+}
+
+bool Widgets::combo(const std::string& path, const std::vector<std::string>& items, int& current, float width_px) {
+  const float width = width_px > 0.0f ? width_px : available_width();
+  const bool known = current >= 0 && current < static_cast<int>(items.size());
+  const Rect rect = next_rect(width, px(28));
+  ImGui::PushID(path.c_str());
+  const bool pressed = ImGui::InvisibleButton("combo", {rect.width, rect.height});
+  const bool hovered = ImGui::IsItemHovered();
+  record_last(path, known ? items[static_cast<std::size_t>(current)] : "");
+  fill(rect, tokens().canvas, px(6));
+  outline(rect, tokens().line, px(6));
+  if (hovered) fill(rect, tokens().hover, px(6));
+  focus_ring(rect);
+  text_in({rect.x + px(10), rect.y, rect.width - px(32), rect.height}, known ? items[static_cast<std::size_t>(current)] : "", TextRole::body, Tone::text);
+  text_in({rect.right() - px(22), rect.y, px(14), rect.height}, icon::caret_down, TextRole::caption, Tone::secondary, Align::center);
+  if (pressed) ImGui::OpenPopup("items");
+  bool changed = false;
+  ImGui::SetNextWindowPos({rect.x, rect.bottom() + px(2)});
+  ImGui::SetNextWindowSizeConstraints({rect.width, 0}, {rect.width, px(320)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(6), px(6)});
+  if (ImGui::BeginPopup("items")) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (ImGui::Selectable(items[i].c_str(), static_cast<int>(i) == current, 0, {0, px(22)})) {
+        current = static_cast<int>(i);
+        changed = true;
+      }
+      record_last(path + "/" + items[i], items[i]);
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  return changed;
+}
+
+bool Widgets::input(const std::string& path, std::string& value, const InputLook& look) {
+  const float width = look.width > 0.0f ? look.width : available_width();
+  ImGui::PushID(path.c_str());
+  ImGui::BeginDisabled(!look.why_not.empty());
+  bool changed = false;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (look.lines > 1) {
+    changed = ImGui::InputTextMultiline("##text", &value, {width, px(18.0f * static_cast<float>(look.lines) + 10.0f)});
+    if (value.empty() && !ImGui::IsItemActive()) {
+      ImGui::GetWindowDrawList()->AddText({at.x + px(10), at.y + px(7)}, tokens().faint.packed(), look.hint.c_str());
+    }
+  } else {
+    ImGui::SetNextItemWidth(width);
+    changed = ImGui::InputTextWithHint("##text", look.hint.c_str(), &value);
+  }
+  ImGui::EndDisabled();
+  record_last(path, value, look.why_not.empty());
+  if (ImGui::IsItemActive()) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    outline({low.x, low.y, high.x - low.x, high.y - low.y}, tokens().accent, px(6));
+  }
+  if (!look.why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(look.why_not);
+  ImGui::PopID();
+  return changed;
+}
+
+bool Widgets::number(const std::string& path, double& value, const char* format, float width_px) {
+  ImGui::PushID(path.c_str());
+  ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
+  const bool changed = ImGui::InputDouble("##number", &value, 0.0, 0.0, format, ImGuiInputTextFlags_AutoSelectAll);
+  record_last(path, std::to_string(value));
+  ImGui::PopID();
+  return changed;
+}
+
+}  // namespace stemwise::ui

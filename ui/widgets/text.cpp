@@ -1,0 +1,107 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "ui/widgets/widgets.hpp"
+
+namespace stemwise::ui {
+namespace {
+
+constexpr const char* ellipsis = "…";
+
+/// The longest beginning (whole UTF-8 characters) that fits, with an ellipsis.
+std::string shortened(ImFont* font, const std::string& text, float width) {
+  const float room = width - font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, ellipsis).x;
+  const char* end = nullptr;
+  font->CalcTextSizeA(font->FontSize, std::max(room, 1.0f), 0.0f, text.data(), text.data() + text.size(), &end);
+  return std::string(text.data(), end) + ellipsis;
+}
+
+}  // namespace
+
+Color Widgets::color(Tone tone) const {
+  const Tokens& t = tokens();
+  switch (tone) {
+    case Tone::text: return t.text;
+    case Tone::secondary: return t.secondary;
+    case Tone::faint: return t.faint;
+    case Tone::accent: return t.accent;
+    case Tone::on_accent: return t.on_accent;
+    case Tone::warning: return t.warning;
+    case Tone::error: return t.error;
+  }
+  return t.text;
+}
+
+void Widgets::push_font(TextRole role) { ImGui::PushFont(fonts.of(role)); }
+void Widgets::pop_font() { ImGui::PopFont(); }
+
+void Widgets::text(const std::string& text, TextRole role, Tone tone) {
+  push_font(role);
+  ImGui::PushStyleColor(ImGuiCol_Text, color(tone).packed());
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+  pop_font();
+}
+
+void Widgets::paragraph(const std::string& text, TextRole role, Tone tone) {
+  ImGui::PushTextWrapPos(0.0f);
+  this->text(text, role, tone);
+  ImGui::PopTextWrapPos();
+}
+
+void Widgets::section(const std::string& title) {
+  gap(8);
+  text(title, TextRole::strong);
+}
+
+void Widgets::fact(const std::string& path, const std::string& name, const std::string& value, const std::string& tooltip_text) {
+  const Rect row = next_rect(available_width(), px(24));
+  const float value_width = std::min(text_width(value, TextRole::body) + px(2), row.width * 0.72f);
+  text_in({row.x, row.y, row.width - value_width - px(6), row.height}, name, TextRole::body, Tone::secondary);
+  text_in({row.right() - value_width, row.y, value_width, row.height}, value, TextRole::body, Tone::text, Align::right);
+  ImGui::Dummy({row.width, row.height - ImGui::GetStyle().ItemSpacing.y});
+  record(path, row, value);
+  if (!tooltip_text.empty() && ImGui::IsWindowHovered() && row.contains(ImGui::GetMousePos().x, ImGui::GetMousePos().y)) tooltip(tooltip_text);
+}
+
+float Widgets::text_width(const std::string& text, TextRole role) const {
+  ImFont* font = fonts.of(role);
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.data(), text.data() + text.size()).x;
+}
+
+float Widgets::line_height(TextRole role) const { return fonts.of(role)->FontSize; }
+
+void Widgets::text_in(const Rect& rect, const std::string& text, TextRole role, Tone tone, Align align) {
+  text_in(rect, text, role, color(tone), align);
+}
+
+void Widgets::text_in(const Rect& rect, const std::string& text, TextRole role, Color ink, Align align) {
+  ImFont* font = fonts.of(role);
+  const float full = text_width(text, role);
+  const bool fits = full <= rect.width + 0.5f;
+  const std::string shown = fits ? text : shortened(font, text, rect.width);
+  const float width = fits ? full : text_width(shown, role);
+  float x = rect.x;
+  if (align == Align::center) x = rect.center_x() - 0.5f * width;
+  if (align == Align::right) x = rect.right() - width;
+  const float y = rect.y + 0.5f * (rect.height - font->FontSize);
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::round(x), std::round(y)}, ink.packed(), shown.data(),
+                                      shown.data() + shown.size());
+  const ImVec2 mouse = ImGui::GetMousePos();
+  if (!fits && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && rect.contains(mouse.x, mouse.y)) tooltip(text);
+}
+
+void Widgets::tooltip(const std::string& text) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(7)});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(px(360));
+  this->text(text, TextRole::body, Tone::text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace stemwise::ui

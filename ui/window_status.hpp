@@ -1,0 +1,89 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/issue.hpp"
+#include "ui/charts.hpp"
+#include "ui/geometry.hpp"
+
+namespace stemwise::ui {
+
+/// One job as shown.
+struct JobView {
+  enum class State { waiting, running, done, failed, cancelled };
+  int id = 0;
+  std::string title;      ///< "Align 3 surveys"
+  std::string stage;      ///< "Verifying poses"
+  double fraction = 0.0;  ///< 0..1
+  double elapsed_s = 0.0;
+  std::optional<double> left_s;
+  State state = State::waiting;
+  std::string outcome;    ///< one sentence when it is over
+};
+
+struct Notice {
+  int id = 0;
+  Severity severity = Severity::note;
+  std::string title;
+  Issues details;
+  double age_s = 0.0;
+};
+
+/// The rendered map or 3D view, as a GL texture whose first row is at the bottom.
+struct ViewportPicture {
+  std::uint64_t texture = 0;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+/// A line over the picture, in its pixels.
+struct OverlayLine {
+  double x0_px = 0.0, y0_px = 0.0, x1_px = 0.0, y1_px = 0.0;
+};
+
+/// Words for what the mouse is over in the viewport.
+struct HoverCard {
+  double x_px = 0.0, y_px = 0.0;  ///< of the stem, in the picture
+  std::string title;              ///< "T-01482 · 31.4 to 32.6 cm"
+  std::string detail;
+  bool warning = false;
+};
+
+/// One entry of a colour legend.
+struct LegendEntry {
+  Color color;
+  std::string label;
+};
+
+/// What `app` knows beside the project, ready to be shown. Values only.
+struct WindowStatus {
+  std::string project_title;
+  std::string saved_text;                   ///< "saved 12 s ago", "not saved yet", ...
+  std::vector<std::string> recent_projects;
+  std::vector<JobView> jobs;                ///< newest first
+  std::vector<Notice> notices;              ///< newest first
+  ViewportPicture viewport;
+  ChartViews charts;                        ///< those that were asked for
+  std::optional<HoverCard> hover;           ///< of the stem under the mouse, else of the selected one
+  std::string cursor_local, cursor_projected, cursor_geographic;
+  std::vector<LegendEntry> legend;
+  std::string legend_caption;               ///< "DBH, cm"
+  std::string home_folder, working_folder;
+  std::vector<std::string> places;          ///< folders used lately
+  std::string version;
+  std::string renderer;                     ///< GL_RENDERER
+  std::optional<OverlayLine> measure_line;
+  std::string measure_text;                 ///< what the measuring tool has to say
+  std::string recovery_text;                ///< what autosave has left behind, empty when nothing
+
+  const JobView* running() const {
+    for (const JobView& job : jobs) {
+      if (job.state == JobView::State::running) return &job;
+    }
+    return nullptr;
+  }
+};
+
+}  // namespace stemwise::ui
