@@ -60,9 +60,14 @@ ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, co
   return ExitCode::failed;
 }
 
+bool is_command(const CLI::App& root, const std::string& word) {
+  const auto commands = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
+  return !commands.empty();
+}
+
 /// `stemwise [FILE...]` is `stemwise gui [FILE...]`.
 std::vector<std::string> with_command(std::vector<std::string> arguments, const CLI::App& root) {
-  const bool opens_files = !arguments.empty() && !arguments.front().starts_with("-") && root.get_subcommand_no_throw(arguments.front()) == nullptr &&
+  const bool opens_files = !arguments.empty() && !arguments.front().starts_with("-") && !is_command(root, arguments.front()) &&
                            std::filesystem::exists(arguments.front());
   if (arguments.empty() || opens_files) arguments.insert(arguments.begin(), "gui");
   return arguments;
