@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/inventory_date.hpp"
 #include "io/read_inventory.hpp"
 
 namespace stemwise {
@@ -80,13 +81,6 @@ ReadOptions options_for(const std::string& name, const ReadOverrides& overrides,
 }
 
 }  // namespace
-
-std::string inventory_name(const std::string& path) {
-  const fs::path clean = fs::absolute(path).lexically_normal();
-  const fs::path last = clean.has_filename() ? clean.filename() : clean.parent_path().filename();
-  std::error_code code;
-  return fs::is_directory(clean, code) ? last.string() : last.stem().string();
-}
 
 std::vector<std::string> inventory_names(const std::vector<std::string>& paths) {
   std::vector<std::string> names;

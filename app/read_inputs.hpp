@@ -16,8 +16,6 @@ struct ReadInput {
   Result<Inventory> inventory;
 };
 
-/// The name an inventory gets from its path: "2019" for data/2019.csv and for data/2019/.
-std::string inventory_name(const std::string& path);
 /// Names in the order given, made unique ("plot", "plot-2", ...).
 std::vector<std::string> inventory_names(const std::vector<std::string>& paths);
 
