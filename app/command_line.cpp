@@ -50,7 +50,7 @@ ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, co
   try {
     return chosen.run(session);
   } catch (const Cancelled&) {
-    console.error("interrupted, nothing was written");
+    console.error("interrupted; no half-written file was left");
     return ExitCode::interrupted;
   } catch (const std::bad_alloc&) {
     console.error("out of memory");
@@ -63,6 +63,12 @@ ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, co
 bool is_command(const CLI::App& root, const std::string& word) {
   const auto commands = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   return !commands.empty();
+}
+
+/// A first word that is neither an option, nor a command, nor a file: a mistyped command, most likely.
+bool means_nothing(const std::vector<std::string>& arguments, const CLI::App& root) {
+  return !arguments.empty() && !arguments.front().starts_with("-") && !is_command(root, arguments.front()) &&
+         !std::filesystem::exists(arguments.front());
 }
 
 /// `stemwise [FILE...]` is `stemwise gui [FILE...]`.
@@ -95,6 +101,10 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   add_project_commands(root, common, chosen);
   add_evaluate_commands(root, common, chosen);
   root.require_subcommand(1);
+  if (means_nothing(arguments, root)) {
+    std::cerr << "error: '" << arguments.front() << "' is neither a command nor a file\nRun stemwise --help for what it takes.\n";
+    return ExitCode::usage;
+  }
   try {
     const std::vector<std::string> given = with_command(arguments, root);
     root.parse(std::vector<std::string>(given.rbegin(), given.rend()));
