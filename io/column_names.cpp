@@ -19,7 +19,7 @@ const std::vector<std::pair<std::string_view, std::string_view>>& position_pairs
   static const std::vector<std::pair<std::string_view, std::string_view>> pairs = {
       {"geometryx", "geometryy"}, {"fieldxpj", "fieldypj"}, {"x", "y"}, {"gx", "gy"}, {"px", "py"}, {"xfield", "yfield"},
       {"locationx", "locationy"}, {"xcoord", "ycoord"}, {"xcoordinate", "ycoordinate"}, {"coordx", "coordy"}, {"coorx", "coory"},
-      {"koordx", "koordy"}, {"treex", "treey"}, {"xtree", "ytree"}, {"stemx", "stemy"}, {"xstem", "ystem"}, {"posx", "posy"},
+      {"koordx", "koordy"}, {"treex", "treey"}, {"xtree", "ytree"}, {"xtreebase", "ytreebase"}, {"treelocationx", "treelocationy"}, {"stemx", "stemy"}, {"xstem", "ystem"}, {"posx", "posy"},
       {"xpos", "ypos"}, {"positionx", "positiony"}, {"pointx", "pointy"}, {"centerx", "centery"}, {"centrex", "centrey"},
       {"xc", "yc"}, {"basex", "basey"}, {"xbase", "ybase"}, {"localx", "localy"}, {"xlocal", "ylocal"}, {"fieldx", "fieldy"},
       {"tlsx", "tlsy"}, {"xk", "yk"}, {"easting", "northing"}, {"eastings", "northings"}, {"east", "north"}, {"utme", "utmn"},
@@ -33,7 +33,7 @@ const Words& names_of(ColumnKind kind) {
     std::array<Words, column_kind_count> n;
     const auto set = [&n](ColumnKind k, Words words) { n[static_cast<std::size_t>(k)] = std::move(words); };
     using K = ColumnKind;
-    set(K::z, {"geometryz", "z", "locationz", "gz", "pz", "zbase", "basez", "elevation", "elev", "groundz", "terrainz", "zcoord", "zcoordinate", "altitude"});
+    set(K::z, {"geometryz", "z", "locationz", "gz", "pz", "zbase", "basez", "ztreebase", "treelocationz", "elevation", "elev", "groundz", "terrainz", "zcoord", "zcoordinate", "altitude"});
     set(K::lon, {"lon", "long", "longitude", "lng", "londd", "longdd", "longitud", "laenge", "laengengrad", "wgs84lon", "londeg"});
     set(K::lat, {"lat", "latitude", "latdd", "latitud", "breite", "breitengrad", "wgs84lat", "latdeg"});
     set(K::azimuth, {"azimuth", "azimut", "azim", "azi", "az", "bearing", "azimuthdeg", "azimuthdegrees", "rumbo", "richtung", "horizontalangle"});
@@ -43,7 +43,7 @@ const Words& names_of(ColumnKind kind) {
                  "durchmesser", "diam", "dia", "lapimitta", "d"});
     set(K::circumference, {"cbh", "gbh", "cap", "circumference", "circ", "girth", "umfang", "circonference", "circonf", "circunferencia", "c130", "c13"});
     set(K::dbh_approximation, {"dbhapproximation", "dbhapprox"});
-    set(K::height, {"height", "treeheight", "totalheight", "height_total", "ht", "h", "th", "tht", "actualht", "hohe", "hoehe", "baumhohe",
+    set(K::height, {"height", "treeheight", "totalheight", "heighttotal", "treeht", "ht", "h", "th", "tht", "actualht", "hohe", "hoehe", "baumhohe",
                     "altura", "alturatotal", "hauteur", "pituus", "htotal"});
     set(K::id, {"stemid", "stemindex", "idstem", "treeid", "idtree", "idarbol", "arbol", "id", "tag", "treetag", "tagnum", "tagno", "tagnumber",
                 "tree", "treeno", "treenumber", "treenum", "treenr", "baumnr", "baumnummer", "baumid", "baum", "treefieldnum", "puunro",

@@ -237,7 +237,7 @@ Result<Done> export_layer(const ProjectState& state, const std::string& path, co
     style.delimiter = options.delimiter.value_or(format->suffix == ".tsv" ? '\t' : options.decimal_comma ? ';' : ',');
     return write_text_file(path, layer_text(layers->front(), style));
   }
-  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc());
+  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
   const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
   if (format->suffix == ".shp") return write_several_files(*format, *layers.value, path, messages);
   const std::string temporary = temporary_beside(path);

@@ -4,6 +4,7 @@
 
 #include "io/inventory_date.hpp"
 #include "io/read_frame_folder.hpp"
+#include "io/project_file.hpp"
 #include "io/read_gis.hpp"
 #include "io/read_table.hpp"
 
@@ -27,6 +28,26 @@ Result<Inventory> read_folder(const std::string& path, const ReadOptions& option
   return result;
 }
 
+/// One inventory of a project: the one that is asked for, or the only one.
+Result<Inventory> read_from_project(const std::string& path, const ReadOptions& options) {
+  const auto state = read_project(path);
+  if (!state) return Result<Inventory>::failure(state.issues);
+  std::string names;
+  const Inventory* chosen = nullptr;
+  for (const auto& inventory : state->inventories) {
+    names += (names.empty() ? "" : ", ") + inventory->name;
+    if (options.sheet == inventory->name || state->inventories.size() == 1) chosen = inventory.get();
+  }
+  if (chosen == nullptr) {
+    return refused(path, "is a project with the inventories " + names, "open it as a project, or choose one with --sheet NAME");
+  }
+  Inventory inventory = *chosen;
+  inventory.id = {};
+  if (options.date) inventory.date = options.date;
+  inventory.source.notes.push_back("from project " + path);
+  return inventory;
+}
+
 }  // namespace
 
 Result<Inventory> read_inventory(const std::string& path, const ReadOptions& options) {
@@ -36,7 +57,7 @@ Result<Inventory> read_inventory(const std::string& path, const ReadOptions& opt
   switch (file_kind(path)) {
     case FileKind::text: return read_table(path, options);
     case FileKind::workbook: return read_workbook(path, options);
-    case FileKind::sqlite:
+    case FileKind::sqlite: return is_project(path) ? read_from_project(path, options) : read_gis_points(path, options);
     case FileKind::gis: return read_gis_points(path, options);
     case FileKind::unknown_binary: break;
   }

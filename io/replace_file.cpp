@@ -84,4 +84,9 @@ std::string timestamp_utc() {
   return buffer.data();
 }
 
+std::string timestamp_utc_ms() {
+  std::string text = timestamp_utc();
+  return text.replace(text.size() - 1, 1, ".000Z");
+}
+
 }  // namespace stemwise

@@ -20,5 +20,7 @@ Result<Done> write_text_file(const std::string& path, std::string_view text);
 long long timestamp_s();
 /// "2026-11-22T10:15:00Z" of it.
 std::string timestamp_utc();
+/// "2026-11-22T10:15:00.000Z", as GeoPackages have it.
+std::string timestamp_utc_ms();
 
 }  // namespace stemwise

@@ -11,7 +11,7 @@ namespace {
 
 using K = ColumnKind;
 
-enum class Layout { none, forest_geo, fia };
+enum class Layout { none, forest_geo, fia, realtime_trees };
 
 bool has(const StemTable& table, const std::string& base) {
   return std::any_of(table.names.begin(), table.names.end(), [&](const ColumnName& n) { return n.base == base; });
@@ -22,6 +22,7 @@ Layout layout_of(const StemTable& table) {
   const bool grid = (has(table, "gx") && has(table, "gy")) || (has(table, "px") && has(table, "py")) || (has(table, "lx") && has(table, "ly"));
   if (grid && (has(table, "stemtag") || has(table, "stemid") || has(table, "quadrat"))) return Layout::forest_geo;
   if (has(table, "subp") && has(table, "dist") && has(table, "azimuth") && has(table, "dia")) return Layout::fia;
+  if (has(table, "locationx") && has(table, "dbhapproximation")) return Layout::realtime_trees;
   return Layout::none;
 }
 
@@ -96,6 +97,7 @@ class UnitDecision {
   Unit diameter_unit(K kind, std::size_t column) const {
     if (auto unit = told(kind, column); unit && metres_per(unit->word) > 0.0) return *unit;
     if (layout_ == Layout::forest_geo) return {"mm", "ForestGEO layout", columns_.census_year.has_value()};
+    if (layout_ == Layout::realtime_trees) return {"m", "RealtimeTrees layout"};
     if (layout_ == Layout::fia) return {"in", "FIA layout", true};
     std::vector<double> values = table_.numbers(column);
     std::erase_if(values, [](double v) { return v <= 0.0; });

@@ -52,10 +52,19 @@ class StemMaker {
     }
   }
 
+  /// The NaNs: each named when they are few; a pipeline that writes NaN for everything it could not measure gets one line.
+  Issues not_a_number_issues() const {
+    if (without_number_.size() <= std::max<std::size_t>(20, rows_met_ / 50)) return without_number_;
+    Issue one = without_number_.front();
+    one.text = "and " + std::to_string(without_number_.size() - 1) + " more rows: " + one.text;
+    return {one};
+  }
+
   std::vector<Stem> stems_;
   std::vector<std::size_t> rows_;  ///< table row of each stem
   Issues issues_;
-  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_dead_ = 0, rows_absent_ = 0, without_number_ = 0, unknown_status_ = 0;
+  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_dead_ = 0, rows_absent_ = 0, unknown_status_ = 0;
+  Issues without_number_;  ///< NaN where a measurement may be missing
 
  private:
   void complain(const GridRow& row, std::size_t column, std::string text) {
@@ -99,8 +108,7 @@ class StemMaker {
       bad_ = true;
       complain(row, *column, shown(cell) + ", expected " + what);
     } else if (q.kind == Quantity::Kind::not_a_number) {
-      ++without_number_;
-      complain(row, *column, shown(cell) + ", expected " + what + "; taken as not measured");
+      without_number_.push_back({Severity::warning, table_.file, row.row, table_.header[*column], shown(cell) + ", expected " + what + "; taken as not measured", {}});
     }
     return std::nullopt;
   }
@@ -337,6 +345,8 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   Issues issues = table.issues;
   issues.insert(issues.end(), columns->issues.begin(), columns->issues.end());
   issues.insert(issues.end(), made.issues_.begin(), made.issues_.end());
+  const Issues nans = made.not_a_number_issues();
+  issues.insert(issues.end(), nans.begin(), nans.end());
   if (made.stems_.empty()) {
     issues.insert(issues.begin(), nothing_usable(made, table));
     return Result<Inventory>::failure(std::move(issues));

@@ -184,7 +184,7 @@ Issues write_map_layers(GDALDataset& dataset, const ProjectState& state) {
 Result<Done> write_project(const ProjectState& state, const std::string& path) {
   const GdalMessages messages;
   const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");  // flushed once, before the rename
-  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc());
+  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
   const std::string temporary = temporary_beside(path);
   std::error_code ignored;
   std::filesystem::remove(temporary, ignored);
