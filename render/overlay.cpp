@@ -28,6 +28,7 @@ class OverlayPainter {
     if (options_.scale_bar && view_.kind == ViewKind::map) scale_bar();
     if (options_.north_arrow) north_arrow();
     if (options_.legend && !scene_.empty()) legend();
+    if (view_.kind == ViewKind::map) extra_keys();
     if (!options_.title.empty()) title();
   }
 
@@ -222,7 +223,7 @@ class OverlayPainter {
     panel(x, y, width, height);
     canvas_.text(x + 12.0, y + 17.0, heading, {12.0, Weight::semibold, colours_.text, Align::left});
     y += 34.0;
-    if (!key.gradient.empty()) legend_gradient(x + 14.0, y, width - 28.0);
+    if (!key.gradient.empty()) legend_gradient(key, x + 14.0, y, width - 28.0);
     y += gradient;
     for (const LegendEntry& entry : key.entries) {
       legend_mark(x + 18.0, y + 8.0, entry);
@@ -232,18 +233,39 @@ class OverlayPainter {
     }
   }
 
-  void legend_gradient(double x, double y, double width) const {
+  /// Above the scale bar: the heat map's colours, and how much the residual arrows are lengthened.
+  void extra_keys() const {
+    double bottom = height_ - margin - (options_.scale_bar ? 42.0 : 0.0);
+    if (const Legend& key = scene_.heat_legend; !key.title.empty()) {
+      const double width = 210.0, x = width_ - margin - width;
+      bottom -= 70.0;
+      panel(x, bottom, width, 70.0);
+      const std::string heading = key.unit.empty() ? key.title : key.title + ", " + key.unit;
+      canvas_.text(x + 12.0, bottom + 17.0, heading, {12.0, Weight::semibold, colours_.text, Align::left});
+      legend_gradient(key, x + 16.0, bottom + 33.0, width - 32.0);
+      bottom -= 8.0;
+    }
+    if (!options_.residuals || scene_.links.empty()) return;
+    const std::string words = "Residuals, " + number_text(scene_.residual_factor, 0) + " times as long";
+    const TextStyle style{12.0, Weight::regular, colours_.text, Align::left};
+    const double width = canvas_.text_width(words, style) + 48.0, x = width_ - margin - width;
+    panel(x, bottom - 28.0, width, 28.0);
+    canvas_.line(x + 12.0, bottom - 14.0, x + 28.0, bottom - 14.0, colours_.warning, 1.6);
+    canvas_.text(x + 36.0, bottom - 14.0, words, style);
+  }
+
+  void legend_gradient(const Legend& key, double x, double y, double width) const {
     cairo_pattern_t* pattern = cairo_pattern_create_linear(x, 0.0, x + width, 0.0);
-    const double last = static_cast<double>(scene_.legend.gradient.size() - 1);
-    for (std::size_t i = 0; i < scene_.legend.gradient.size(); ++i) {
-      const Rgba c = scene_.legend.gradient[i];
+    const double last = static_cast<double>(key.gradient.size() - 1);
+    for (std::size_t i = 0; i < key.gradient.size(); ++i) {
+      const Rgba c = key.gradient[i];
       cairo_pattern_add_color_stop_rgb(pattern, static_cast<double>(i) / last, c.r / 255.0, c.g / 255.0, c.b / 255.0);
     }
     canvas_.rounded(x, y, width, 10.0, 3.0);
     cairo_set_source(canvas_.cairo(), pattern);
     cairo_fill(canvas_.cairo());
     cairo_pattern_destroy(pattern);
-    for (const LegendTick& tick : scene_.legend.ticks)
+    for (const LegendTick& tick : key.ticks)
       canvas_.text(x + tick.at * width, y + 21.0, tick.label, {11.0, Weight::regular, colours_.secondary, Align::centre});
   }
 

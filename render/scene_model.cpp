@@ -107,6 +107,8 @@ class SceneBuilder {
       const Stem& stem = form->second.first->stems[static_cast<std::size_t>(row.stem.index)];
       add_form(mark, stem, form->second.second, row.dbh_m);
       mark.style = colouring_.style_of(row, tree, tree_fate);
+      mark.times_seen = tree ? tree->times_seen : 0;
+      mark.residual_m = row.residual_m;
       add_mark(mark, is_newest);
     }
   }
@@ -238,9 +240,20 @@ class SceneBuilder {
     scene_.low_m = low;
     scene_.high_m = high;
     scene_.has_terrain = heights_ >= 3;
+    measure_spacing();
+  }
+
+  void measure_spacing() {
+    const Eigen::Vector3d &low = scene_.low_m, &high = scene_.high_m;
     const double trees = std::max<double>(1.0, static_cast<double>(scene_.mark_of_tree.size() + (scene_.mark_of_tree.empty() ? scene_.marks.size() : 0)));
     const Eigen::Vector2d extent = (high - low).head<2>();
     scene_.spacing_m = std::clamp(std::sqrt(std::max(1.0, extent.x() * extent.y()) / trees), 0.5, 30.0);
+    double sum_sq = 0.0;
+    for (const Link& link : scene_.links) sum_sq += (link.b_m - link.a_m).head<2>().squaredNorm();
+    const double rms_m = std::sqrt(sum_sq / std::max<double>(1.0, static_cast<double>(scene_.links.size())));
+    const double wanted = rms_m > 1e-6 ? 0.45 * scene_.spacing_m / rms_m : 1.0;
+    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
+      if (factor <= wanted) scene_.residual_factor = factor;
   }
 
   const ProjectState& state_;

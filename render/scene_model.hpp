@@ -23,6 +23,8 @@ struct Mark {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   double dbh_m = 0.0;     ///< a small stand-in where unknown
   double height_m = 0.0;  ///< measured, or a guess for display
+  int times_seen = 0;     ///< surveys; 0 for a stem in no tree
+  std::optional<double> residual_m;
   MarkStyle style;
 };
 
@@ -59,11 +61,13 @@ struct SceneModel {
   std::vector<SideFrame> side_frames;
   Eigen::Vector3d low_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d high_m = Eigen::Vector3d::Zero();
+  double residual_factor = 1.0;  ///< residual arrows are drawn this many times as long as they are
   double spacing_m = 4.0;        ///< typical distance between neighbouring trees
   std::optional<double> north_azimuth_rad;  ///< of the +y axis, clockwise from north; nothing while nobody has said where north is
   bool shows_sightings = false;  ///< a mark per sighting, several on one spot; else one per tree
   bool has_terrain = false;      ///< at least three marks have a measured base height
   Legend legend;
+  Legend heat_legend;  ///< empty title: no heat map
   std::unordered_map<TreeId, Eigen::Vector3d> alternative_of_tree;  ///< where its newest match's second choice stands
   std::unordered_map<TreeId, std::size_t> mark_of_tree;  ///< its newest shown sighting
   std::unordered_map<StemRef, std::size_t> mark_of_stem;

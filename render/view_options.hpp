@@ -19,6 +19,9 @@ struct Ghost {
   bool operator==(const Ghost&) const = default;
 };
 
+/// A smooth coloured surface under the marks of the map.
+enum class HeatMap { none, density, times_seen, residual };
+
 /// What is shown and how; a plain value that the window keeps.
 struct ViewOptions {
   ViewKind kind = ViewKind::map;
@@ -26,6 +29,8 @@ struct ViewOptions {
   Theme theme = Theme::light;
   std::vector<InventoryId> hidden;  ///< all others are shown
   bool links = true;                ///< lines between the sightings of one tree
+  bool residuals = false;           ///< map: the same lines as arrows, lengthened so that they are visible
+  HeatMap heat = HeatMap::none;     ///< map
   bool labels = true;               ///< tree ids, thinning out with the scale
   bool coverage = true;
   bool grid = true;

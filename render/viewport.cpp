@@ -5,8 +5,10 @@
 #include <cmath>
 #include <set>
 
+#include "core/geometry/polygon.hpp"
 #include "render/flight.hpp"
 #include "render/ground.hpp"
+#include "render/heat_map.hpp"
 #include "render/projection.hpp"
 #include "render/scene/view_renderer.hpp"
 #include "render/scene_model.hpp"
@@ -14,11 +16,12 @@
 namespace stemwise::render {
 namespace {
 
-constexpr double fit_margin = 1.08;
+constexpr double fit_margin = 1.03;
+constexpr double settle_s = 0.15;
 
 /// What of the options makes other marks; the rest is only drawn differently.
 bool is_same_scene(const ViewOptions& a, const ViewOptions& b) {
-  return a.color_by == b.color_by && a.theme == b.theme && a.hidden == b.hidden && a.ghost == b.ghost;
+  return a.color_by == b.color_by && a.theme == b.theme && a.hidden == b.hidden && a.ghost == b.ghost && a.heat == b.heat;
 }
 /// What only the overlay shows.
 bool is_same_drawing(ViewOptions a, const ViewOptions& b) {
@@ -50,8 +53,10 @@ struct Viewport::Impl {
   std::set<std::pair<InventoryId, bool>> layout;
   SceneModel scene;
   Ground ground;
+  HeatGrid heat;
   Projection view;
   std::optional<Flight> flight;
+  double settling_s = 0.0;  ///< a turn of the wheel has no end: for a moment it counts as moving
   std::unique_ptr<ViewRenderer> renderer;
   bool is_fit_pending = true, is_scene_stale = true, is_drawing_stale = true, is_overlay_stale = true;
 
@@ -68,15 +73,22 @@ struct Viewport::Impl {
 
   bool has_size() const { return view.size.width > 0 && view.size.height > 0; }
 
+  /// Free of the tool bar or title above, and in a picture that leaves the program of the legend at its left.
+  void fit_map(const Eigen::Vector2d& middle_m, const Eigen::Vector2d& extent_m) {
+    const double side_px = 22.0 * view.px_scale, top_px = 54.0 * view.px_scale;
+    const double left_px = options.title.empty() || !options.legend || view.size.width < 700 * view.px_scale ? side_px : 240.0 * view.px_scale;
+    const double free_width = std::max(80.0, view.size.width - left_px - side_px);
+    const double free_height = std::max(80.0, view.size.height - top_px - side_px);
+    view.map.metres_per_px = fit_margin * std::max({extent_m.x() / free_width, extent_m.y() / free_height, 5.0 / view.size.height});
+    view.map.centre_m = middle_m + 0.5 * view.map.metres_per_px * Eigen::Vector2d(side_px - left_px, top_px - side_px);
+  }
+
   void fit() {
     is_fit_pending = !has_size();
     if (is_fit_pending) return;
     const Eigen::Vector3d middle = 0.5 * (scene.low_m + scene.high_m);
     const Eigen::Vector3d extent = scene.high_m - scene.low_m;
-    const double free_width = std::max(80.0, view.size.width - 40.0 * view.px_scale);
-    const double free_height = std::max(80.0, view.size.height - 40.0 * view.px_scale);
-    view.map.centre_m = middle.head<2>();
-    view.map.metres_per_px = fit_margin * std::max({extent.x() / free_width, extent.y() / free_height, 5.0 / view.size.height});
+    fit_map(middle.head<2>(), extent.head<2>());
     const double radius_m = std::max(8.0, 0.5 * extent.head<2>().norm());
     const double narrow = std::min(1.0, static_cast<double>(view.size.width) / view.size.height);
     view.orbit.target_m = middle + Eigen::Vector3d(0.0, 0.0, std::min(8.0, 0.12 * radius_m));
@@ -100,7 +112,11 @@ struct Viewport::Impl {
   }
 
   bool advance(double elapsed_s) {
-    if (!flight) return false;
+    if (settling_s > 0.0) {
+      settling_s -= elapsed_s;
+      if (settling_s <= 0.0) touch();
+    }
+    if (!flight) return settling_s > 0.0;
     flight->elapsed_s += elapsed_s;
     view.map = flight->map();
     view.orbit = flight->orbit();
@@ -116,6 +132,21 @@ struct Viewport::Impl {
     // In 3D the middle of the stem's lower part: a place where a click hits it.
     const Eigen::Vector2d at = shape->base_px + (options.kind == ViewKind::map ? 0.0 : 0.2) * (shape->top_px - shape->base_px);
     return now().is_inside(at) ? std::optional(at) : std::nullopt;
+  }
+
+  /// Ascending, each once: the trees whose base is where `is_wanted` says.
+  template <class Test>
+  std::vector<TreeId> trees_where(const Test& is_wanted) const {
+    const Projection at = now();
+    const OrbitBasis basis = at.orbit.basis(at.size);
+    std::vector<TreeId> trees;
+    for (const Mark& mark : scene.marks) {
+      const auto shape = at.shape_of(mark, basis);
+      if (mark.tree && shape && is_wanted(shape->base_px)) trees.push_back(mark.tree);
+    }
+    std::sort(trees.begin(), trees.end());
+    trees.erase(std::unique(trees.begin(), trees.end()), trees.end());
+    return trees;
   }
 
   /// Where the ray through a pixel meets the ground.
@@ -142,7 +173,7 @@ Viewport& Viewport::operator=(Viewport&&) noexcept = default;
 void Viewport::set_options(const ViewOptions& options) {
   if (options == impl_->options) return;
   if (!is_same_drawing(options, impl_->options)) impl_->is_drawing_stale = true;
-  if (options.links != impl_->options.links || options.coverage != impl_->options.coverage || options.ground != impl_->options.ground ||
+  if (options.links != impl_->options.links || options.residuals != impl_->options.residuals || options.coverage != impl_->options.coverage || options.ground != impl_->options.ground ||
       options.grid != impl_->options.grid)
     impl_->is_scene_stale = true;
   impl_->is_overlay_stale = true;
@@ -156,6 +187,8 @@ void Viewport::sync(const ProjectState& state, const Tables& tables, std::uint64
   if (s.revision == revision && s.built_options && is_same_scene(*s.built_options, s.options)) return;
   s.scene = build_scene(state, tables, s.options);
   s.ground = estimate_ground(s.scene);
+  s.heat = estimate_heat(s.scene, s.options.heat);
+  s.scene.heat_legend = s.heat.legend;
   s.built_options = s.options;
   s.revision = revision;
   s.is_scene_stale = true;
@@ -175,9 +208,9 @@ std::uint32_t Viewport::render(PixelSize size, double scale) {
   if (!s.has_size() || (!s.is_scene_stale && !s.is_drawing_stale && !s.is_overlay_stale)) return s.renderer->texture();
   const Projection projection = s.now();
   ViewOptions options = s.options;
-  options.moving |= s.flight.has_value();
+  options.moving |= s.flight.has_value() || s.settling_s > 0.0;
   if (s.is_scene_stale) s.renderer->forget_scene();
-  if (s.is_scene_stale || s.is_drawing_stale) s.renderer->draw_scene(s.scene, s.ground, projection, options);
+  if (s.is_scene_stale || s.is_drawing_stale) s.renderer->draw_scene(s.scene, s.ground, s.heat, projection, options);
   s.renderer->draw_overlay(s.scene, projection, options);
   s.is_scene_stale = s.is_drawing_stale = s.is_overlay_stale = false;
   return s.renderer->compose(size);
@@ -214,6 +247,7 @@ void Viewport::zoom_at(double x_px, double y_px, double factor) {
     impl_->view.map.zoom_at({x_px, y_px}, factor, impl_->view.size);
   } else {
     impl_->view.orbit.zoom_at({x_px, y_px}, factor, impl_->view.size);
+    impl_->settling_s = settle_s;
   }
   impl_->touch();
 }
@@ -250,16 +284,14 @@ std::optional<Pick> Viewport::pick(double x_px, double y_px, double tolerance_px
 std::vector<TreeId> Viewport::trees_in_rectangle(double x0_px, double y0_px, double x1_px, double y1_px) const {
   const Eigen::AlignedBox2d box(Eigen::Vector2d(std::min(x0_px, x1_px), std::min(y0_px, y1_px)),
                                 Eigen::Vector2d(std::max(x0_px, x1_px), std::max(y0_px, y1_px)));
-  const Projection view = impl_->now();
-  const OrbitBasis basis = view.orbit.basis(view.size);
-  std::vector<TreeId> trees;
-  for (const Mark& mark : impl_->scene.marks) {
-    const auto shape = view.shape_of(mark, basis);
-    if (mark.tree && shape && box.contains(shape->base_px)) trees.push_back(mark.tree);
-  }
-  std::sort(trees.begin(), trees.end());
-  trees.erase(std::unique(trees.begin(), trees.end()), trees.end());
-  return trees;
+  return impl_->trees_where([&box](const Eigen::Vector2d& pixel) { return box.contains(pixel); });
+}
+
+std::vector<TreeId> Viewport::trees_in_polygon(std::span<const Eigen::Vector2d> corners_px) const {
+  Polygon polygon;
+  polygon.corners_m.assign(corners_px.begin(), corners_px.end());  // here in pixels
+  if (polygon.empty()) return {};
+  return impl_->trees_where([&polygon](const Eigen::Vector2d& pixel) { return contains(polygon, pixel); });
 }
 
 std::optional<WorldPosition> Viewport::world_at(double x_px, double y_px) const {

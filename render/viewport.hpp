@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,12 +62,15 @@ class Viewport {
   void orbit(double dx_px, double dy_px);                  ///< 3D; on the map it does nothing
   void fly_to(TreeId tree, bool animated);                 ///< F, N: centred, near enough to see its neighbours
   void fly_to(const Eigen::Vector3d& in_reference_m, double radius_m, bool animated);
-  bool advance(double elapsed_s);                          ///< steps a flight (120 ms); true while it is under way
+  /// Every frame: steps a flight (120 ms) and the moment of less detail after a turn of the wheel; true while either is
+  /// under way.
+  bool advance(double elapsed_s);
   double metres_per_px() const;                            ///< on the map, or at the centre of the 3D view
 
   // Questions; all on the CPU.
   std::optional<Pick> pick(double x_px, double y_px, double tolerance_px = 4.0) const;
   std::vector<TreeId> trees_in_rectangle(double x0_px, double y0_px, double x1_px, double y1_px) const;
+  std::vector<TreeId> trees_in_polygon(std::span<const Eigen::Vector2d> corners_px) const;  ///< a lasso
   std::optional<WorldPosition> world_at(double x_px, double y_px) const;
   std::optional<Eigen::Vector2d> pixels_of(TreeId tree) const;  ///< nothing when it is not in the picture
   std::optional<Eigen::Vector2d> pixels_of(StemRef stem) const;

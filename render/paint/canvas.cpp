@@ -104,6 +104,22 @@ void Canvas::text(double x, double y, const std::string& words, const TextStyle&
   cairo_new_path(cairo_);
 }
 
+double Canvas::paragraph(double x, double y, double width, const std::string& words, const TextStyle& style, bool is_drawn) const {
+  set_text(words, style);
+  pango_layout_set_width(layout_, static_cast<int>(width * PANGO_SCALE));
+  pango_layout_set_wrap(layout_, PANGO_WRAP_WORD_CHAR);
+  PangoRectangle extent;
+  pango_layout_get_extents(layout_, nullptr, &extent);
+  if (is_drawn) {
+    cairo_move_to(cairo_, x, y);
+    set_colour(style.colour);
+    pango_cairo_show_layout(cairo_, layout_);
+    cairo_new_path(cairo_);
+  }
+  pango_layout_set_width(layout_, -1);
+  return static_cast<double>(extent.height) / PANGO_SCALE;
+}
+
 PaintedImage::PaintedImage(PixelSize size, double scale)
     : size_(size), scale_(scale), surface_(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size.width, size.height)), cairo_(cairo_create(surface_)) {
   cairo_scale(cairo_, scale, scale);

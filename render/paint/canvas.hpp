@@ -39,6 +39,8 @@ class Canvas {
   /// `y` is the middle of the line of text (of its x-height to be seen as centred), `x` the left, middle or right by the style.
   void text(double x, double y, const std::string& words, const TextStyle& style) const;
   double text_width(const std::string& words, const TextStyle& style) const;
+  /// Left-aligned words wrapped to a width, `y` the top; returns the height, and only that when `is_drawn` is false.
+  double paragraph(double x, double y, double width, const std::string& words, const TextStyle& style, bool is_drawn) const;
 
  private:
   void set_text(const std::string& words, const TextStyle& style) const;

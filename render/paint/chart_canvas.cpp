@@ -24,9 +24,9 @@ class ChartPainter {
       canvas_.fill(colours_.panel);
     }
     place();
-    heading();
+    const double end = heading(true);
     if (!chart_.empty_text.empty()) {
-      canvas_.text(0.5 * width_, 0.5 * height_, chart_.empty_text, {13.0, Weight::regular, colours_.secondary, Align::centre});
+      canvas_.paragraph(16.0, end + 8.0, width_ - 32.0, chart_.empty_text, {12.5, Weight::regular, colours_.secondary, Align::left}, true);
       return layout_;
     }
     bands();
@@ -64,12 +64,41 @@ class ChartPainter {
 
   bool has_legend() const { return chart_.bars.size() > 1 || (chart_.points.size() > 1); }
 
+  /// Title, note and key, each wrapped to the width; returns where they end.
+  double heading(bool is_drawn) const {
+    const double width = width_ - 32.0;
+    double y = 10.0;
+    if (style_.has_title && !chart_.title.empty())
+      y += canvas_.paragraph(16.0, y, width, chart_.title, {14.0, Weight::semibold, colours_.text, Align::left}, is_drawn) + 2.0;
+    if (!chart_.note.empty())
+      y += canvas_.paragraph(16.0, y, width, chart_.note, {11.5, Weight::regular, colours_.secondary, Align::left}, is_drawn) + 4.0;
+    return has_legend() ? key(y, is_drawn) : y;
+  }
+
+  double key(double y, bool is_drawn) const {
+    const TextStyle words{11.5, Weight::regular, colours_.text, Align::left};
+    double x = 16.0;
+    const auto entry = [&](const std::string& name, Rgba colour) {
+      const double width = 15.0 + canvas_.text_width(name, words);
+      if (x > 16.0 && x + width > width_ - 12.0) {
+        x = 16.0;
+        y += 18.0;
+      }
+      if (is_drawn) {
+        canvas_.circle(x + 5.0, y + 9.0, 4.5);
+        canvas_.fill(colour);
+        canvas_.text(x + 15.0, y + 9.0, name, words);
+      }
+      x += width + 16.0;
+    };
+    for (const ChartBars& series : chart_.bars) entry(series.name, chart_colour(series.colour, style_.theme));
+    for (const ChartPoints& series : chart_.points) entry(series.name, chart_colour(series.colour, style_.theme));
+    return y + 22.0;
+  }
+
   void place() {
-    const bool has_heading = style_.has_title && !chart_.title.empty();
-    double top = has_heading ? 34.0 : 10.0;
-    if (!chart_.note.empty()) top += has_heading ? 18.0 : 22.0;
-    if (has_legend()) top += 22.0;
-    if (std::any_of(chart_.rules.begin(), chart_.rules.end(), [](const ChartRule& rule) { return rule.is_on_x && !rule.label.empty(); })) top += 16.0;
+    double top = heading(false) + 6.0;
+    if (std::any_of(chart_.rules.begin(), chart_.rules.end(), [](const ChartRule& rule) { return rule.is_on_x && !rule.label.empty(); })) top += 14.0;
     const std::vector<double> ticks = ticks_of(chart_.y, height_ - top - 40.0, 46.0);
     double widest = 10.0;
     for (std::size_t i = 0; i < ticks.size(); ++i) widest = std::max(widest, canvas_.text_width(tick_text(chart_.y, ticks, i), tick_style(Align::right)));
@@ -78,30 +107,6 @@ class ChartPainter {
     layout_.high_px = {width_ - 16.0, std::max(top + 20.0, height_ - bottom)};
     layout_.low = {chart_.x.low, chart_.y.low};
     layout_.high = {chart_.x.high, chart_.y.high};
-  }
-
-  void heading() const {
-    double y = 20.0;
-    if (style_.has_title && !chart_.title.empty()) {
-      canvas_.text(16.0, y, chart_.title, {14.0, Weight::semibold, colours_.text, Align::left});
-      y += 20.0;
-    }
-    if (!chart_.note.empty()) {
-      canvas_.text(16.0, y, chart_.note, {11.5, Weight::regular, colours_.secondary, Align::left});
-      y += 20.0;
-    }
-    if (has_legend()) key(16.0, y + 2.0);
-  }
-
-  void key(double x, double y) const {
-    const auto entry = [&](const std::string& name, Rgba colour) {
-      canvas_.circle(x + 5.0, y, 4.5);
-      canvas_.fill(colour);
-      canvas_.text(x + 15.0, y, name, {11.5, Weight::regular, colours_.text, Align::left});
-      x += 15.0 + canvas_.text_width(name, {11.5, Weight::regular, colours_.text, Align::left}) + 16.0;
-    };
-    for (const ChartBars& series : chart_.bars) entry(series.name, chart_colour(series.colour, style_.theme));
-    for (const ChartPoints& series : chart_.points) entry(series.name, chart_colour(series.colour, style_.theme));
   }
 
   void clip(bool is_on) const {

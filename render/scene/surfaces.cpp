@@ -2,10 +2,12 @@
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +16,8 @@ namespace stemwise::render {
 namespace {
 
 constexpr double above_ground_m = 0.06;
+constexpr double heat_depth_m = -4.0;
+constexpr double heat_strength = 0.6;
 constexpr double coverage_depth_m = -5.0;  // under everything on the map
 
 bool is_cell_known(const Ground& ground, int column, int row) {
@@ -61,6 +65,48 @@ vtkSmartPointer<vtkPolyData> surface_of(const CoverageShape& coverage) {
   triangles->SetInputData(outline);
   triangles->Update();
   return triangles->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> surface_of(const HeatGrid& heat, Theme theme) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  const Rgba paper = theme_colours(theme).map;
+  for (int row = 0; row < heat.rows; ++row)
+    for (int column = 0; column < heat.columns; ++column) {
+      points->InsertNextPoint(heat.low_m.x() + column * heat.step_m, heat.low_m.y() + row * heat.step_m, heat_depth_m);
+      const Rgba c = mix(paper, cividis((heat.value[heat.at(column, row)] - heat.low) / (heat.high - heat.low)), heat_strength);
+      const unsigned char components[3] = {c.r, c.g, c.b};
+      colours->InsertNextTypedTuple(components);
+    }
+  for (int row = 0; row + 1 < heat.rows; ++row)
+    for (int column = 0; column + 1 < heat.columns; ++column) {
+      const vtkIdType corners[4] = {static_cast<vtkIdType>(heat.at(column, row)), static_cast<vtkIdType>(heat.at(column + 1, row)),
+                                    static_cast<vtkIdType>(heat.at(column + 1, row + 1)), static_cast<vtkIdType>(heat.at(column, row + 1))};
+      bool is_known = true;
+      for (const vtkIdType corner : corners) is_known &= heat.is_known[static_cast<std::size_t>(corner)] != 0;
+      if (is_known) cells->InsertNextCell(4, corners);
+    }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  surface->GetPointData()->SetScalars(colours);
+  return surface;
+}
+
+std::vector<LineSegment> residual_arrows(const SceneModel& scene, Theme theme) {
+  const Rgba colour = theme_colours(theme).warning;
+  std::vector<LineSegment> segments;
+  segments.reserve(3 * scene.links.size());
+  for (const Link& link : scene.links) {
+    const Eigen::Vector3d along(scene.residual_factor * (link.b_m.x() - link.a_m.x()), scene.residual_factor * (link.b_m.y() - link.a_m.y()), 0.0);
+    const Eigen::Vector3d tip = link.a_m + along, across(-along.y(), along.x(), 0.0);
+    segments.push_back({link.a_m, tip, colour, 1.3});
+    segments.push_back({tip, tip - 0.22 * along + 0.13 * across, colour, 1.3});
+    segments.push_back({tip, tip - 0.22 * along - 0.13 * across, colour, 1.3});
+  }
+  return segments;
 }
 
 std::vector<LineSegment> coverage_outlines(const SceneModel& scene) {

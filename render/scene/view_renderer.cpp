@@ -45,7 +45,9 @@ struct ViewRenderer::Impl {
     discs.fill(scene.marks);
     ghost_discs.fill(scene.ghosts);
     map_lines.fill(options.coverage ? coverage_outlines(scene) : std::vector<LineSegment>{});
-    map_links.fill(options.links ? link_lines(scene, options.theme, true) : std::vector<LineSegment>{});
+    map_links.fill(options.residuals ? residual_arrows(scene, options.theme)
+                   : options.links   ? link_lines(scene, options.theme, true)
+                                     : std::vector<LineSegment>{});
     is_map_stale = false;
   }
 
@@ -58,11 +60,12 @@ struct ViewRenderer::Impl {
     is_space_stale = false;
   }
 
-  void place_surfaces(const SceneModel& scene, const Ground& ground, const ViewOptions& options) {
+  void place_surfaces(const SceneModel& scene, const Ground& ground, const HeatGrid& heat, const ViewOptions& options) {
     const ThemeColours& colours = theme_colours(options.theme);
     stage.clear_surfaces();
     if (options.kind == ViewKind::map && options.coverage)
       for (const CoverageShape& shape : scene.coverages) stage.add_surface(surface_of(shape), mix(colours.map, colours.accent_soft, 0.42), false);
+    if (options.kind == ViewKind::map && !heat.empty()) stage.add_surface(surface_of(heat, options.theme), {}, false);
     if (options.kind == ViewKind::space && options.ground && !ground.empty())
       stage.add_surface(surface_of(ground), options.theme == Theme::dark ? mix(colours.canvas, colours.accent_soft, 0.75) : mix(colours.accent_soft, colours.line, 0.45), true);
     surfaces_of_kind = options.kind;
@@ -88,7 +91,7 @@ struct ViewRenderer::Impl {
   std::vector<Layer*> layers(const SceneModel& scene, const ViewOptions& options) {
     if (options.kind == ViewKind::space) return {&ground_grid, &stems, &ghost_stems, &space_links};
     std::vector<Layer*> shown{&grid, &map_lines, &discs, &ghost_discs};
-    if (!options.moving || !is_software || scene.links.size() < many_marks / 3) shown.push_back(&map_links);
+    if (!options.moving || !is_software || scene.links.size() < many_marks / 3 || options.residuals) shown.push_back(&map_links);
     return shown;
   }
 };
@@ -105,11 +108,12 @@ ViewRenderer::~ViewRenderer() = default;
 
 void ViewRenderer::forget_scene() { impl_->is_map_stale = impl_->is_space_stale = impl_->surfaces_stale = true; }
 
-void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, const Projection& projection, const ViewOptions& options) {
+void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, const HeatGrid& heat, const Projection& projection,
+                              const ViewOptions& options) {
   const bool is_map = options.kind == ViewKind::map;
   if (is_map && impl_->is_map_stale) impl_->fill_map(scene, options);
   if (!is_map && impl_->is_space_stale) impl_->fill_space(scene, ground, options);
-  if (impl_->surfaces_stale || impl_->surfaces_of_kind != options.kind) impl_->place_surfaces(scene, ground, options);
+  if (impl_->surfaces_stale || impl_->surfaces_of_kind != options.kind) impl_->place_surfaces(scene, ground, heat, options);
   const double resolution = impl_->resolution(scene, projection, options);
   const PixelSize size{std::max(1, static_cast<int>(std::lround(projection.size.width * resolution))),
                        std::max(1, static_cast<int>(std::lround(projection.size.height * resolution)))};

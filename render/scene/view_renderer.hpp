@@ -3,6 +3,7 @@
 #include <string>
 
 #include "render/ground.hpp"
+#include "render/heat_map.hpp"
 #include "render/picture.hpp"
 #include "render/projection.hpp"
 #include "render/scene_model.hpp"
@@ -18,7 +19,7 @@ class ViewRenderer {
 
   /// The scene (or theme, or what is shown of it) is another: buffers are filled again when their view is next drawn.
   void forget_scene();
-  void draw_scene(const SceneModel& scene, const Ground& ground, const Projection& projection, const ViewOptions& options);
+  void draw_scene(const SceneModel& scene, const Ground& ground, const HeatGrid& heat, const Projection& projection, const ViewOptions& options);
   void draw_overlay(const SceneModel& scene, const Projection& projection, const ViewOptions& options);
   /// Puts both together; the texture stays the same between calls while the size does.
   std::uint32_t compose(PixelSize size);

@@ -12,6 +12,7 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProp.h>
@@ -137,7 +138,9 @@ void VtkStage::clear_surfaces() {
 void VtkStage::add_surface(vtkPolyData* surface, Rgba colour, bool is_lit) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
-  mapper->ScalarVisibilityOff();
+  const bool has_colours = surface->GetPointData()->GetScalars() != nullptr;
+  mapper->SetScalarVisibility(has_colours);
+  if (has_colours) mapper->SetColorModeToDirectScalars();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   double components[3];

@@ -22,7 +22,8 @@ class VtkStage {
   void look_down(const MapCamera& camera, PixelSize size);
   void look(const OrbitCamera& camera, PixelSize size, double scene_radius_m);
   void clear_surfaces();
-  /// `is_lit`: shaded by its normals (ground); else plain colour in the order of adding (coverage).
+  /// `is_lit`: shaded by its normals (ground); else plain colour in the order of adding (coverage); colours at
+  /// the points go before `colour`.
   void add_surface(vtkPolyData* surface, Rgba colour, bool is_lit);
   void set_layers(std::vector<Layer*> layers);
   /// Draws and returns VTK's texture of `size`. `view`'s matrix is filled from VTK's camera.

@@ -41,6 +41,11 @@ TEST(ChartPainter, ChartsLookAsAgreedInBothThemes) {
     }
 }
 
+TEST(ChartPainter, ANarrowChartWrapsItsWords) {
+  const DemoForest forest(600);
+  for (const auto& [name, chart] : all_charts(forest)) test::show(paint_chart(chart, style_of(Theme::light, {236, 250})).image, "chart_narrow_" + name);
+}
+
 TEST(ChartPainter, TheSameChartIsTheSameBytes) {
   const DemoForest forest(100);
   const ChartModel chart = dbh_class_chart(forest.state(), forest.tables());

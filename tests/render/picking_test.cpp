@@ -65,6 +65,14 @@ TEST(Picking, ARectangleOverEverythingHoldsEveryTree) {
   EXPECT_TRUE(viewport.trees_in_rectangle(0, 0, 3, 3).empty());
 }
 
+TEST(Picking, ALassoHoldsWhatLiesInside) {
+  const DemoForest forest(200);
+  const Viewport viewport = made(forest, ViewKind::map);
+  const std::vector<Eigen::Vector2d> left_half{{0, 0}, {0, size.height}, {size.width / 2, size.height}, {size.width / 2, 0}};
+  EXPECT_EQ(viewport.trees_in_polygon(left_half), viewport.trees_in_rectangle(0, 0, size.width / 2, size.height));
+  EXPECT_TRUE(viewport.trees_in_polygon({}).empty());
+}
+
 TEST(Picking, HidingASurveyHidesTheTreesThatOnlyItSaw) {
   const DemoForest forest(300);
   Viewport viewport = made(forest, ViewKind::map);

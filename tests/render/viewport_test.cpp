@@ -78,6 +78,25 @@ TEST(Viewport, EveryColouringDraws) {
     }
 }
 
+TEST(Viewport, HeatMapsAndResidualArrowsDraw) {
+  const DemoForest forest(900);
+  for (const HeatMap heat : {HeatMap::density, HeatMap::times_seen, HeatMap::residual})
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+      ViewOptions options;
+      options.heat = heat;
+      options.theme = theme;
+      options.residuals = heat == HeatMap::residual;
+      Stage stage(forest, options, panel);
+      NEEDS_CONTEXT(stage);
+      test::show(stage.viewport->image(), "map_heat_" + std::to_string(static_cast<int>(heat)) + (theme == Theme::light ? "_light" : "_dark"));
+      ViewOptions plain = options;
+      plain.heat = HeatMap::none;
+      plain.residuals = false;
+      Stage without(forest, plain, panel);
+      EXPECT_GT(test::difference(stage.viewport->image(), without.viewport->image()), 0.2);
+    }
+}
+
 TEST(Viewport, UnalignedSurveysStandBesideEachOther) {
   const DemoForest forest(200, false);
   Stage stage(forest, {}, panel);
