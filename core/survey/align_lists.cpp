@@ -118,6 +118,27 @@ std::size_t search_all(Search& s, const SearchPlan& plan, std::size_t scene_limi
   return count;
 }
 
+/// Poses from elsewhere are fitted and scored on the whole list. True when one of them is overwhelming.
+bool verify_proposals(Search& s, const SearchPlan& plan, const std::vector<PlanarPose>& proposals, const Progress& progress) {
+  constexpr double start_sigma_m = 1.0;
+  std::vector<std::size_t> all(s.a.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (const PlanarPose& proposal : proposals) {
+    progress.at(0.0, "verifying poses of recognised scenes");
+    ScoredPose found;
+    for (const DbhModel& model : plan.bank) {
+      PoseFit fit = refine_pose(s.a, all, s.b, {proposal, start_sigma_m, model, 0.0}, s.settings.noise_floor_m);
+      fit.dbh = refit_dbh(s.a, all, s.b, fit);
+      fit = refine_pose(s.a, all, s.b, fit, s.settings.noise_floor_m);
+      const ScoredPose scored{fit, score_pose(s.a, s.b, fit, nullptr)};
+      if (found.score.matched == 0 || scored.score.log_likelihood_ratio > found.score.log_likelihood_ratio) found = scored;
+    }
+    ++s.refined;
+    if (found.score.matched >= 2) keep_distinct(s.best, found);
+  }
+  return best_of(s.best, 0) - plan.log_poses >= overwhelming;
+}
+
 Scene mirrored_scene(Scene scene) {
   scene.centre_m.x() = -scene.centre_m.x();
   return scene;
@@ -260,8 +281,10 @@ ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const Li
     result.status = AlignmentStatus::aligned;
     return result;
   }
-  const std::size_t scenes = search_all(search, plan, plan.scenes.size(), true, hints.proposals, progress.stage(0.0, 0.6), "searching poses");
-  const std::size_t mirror_scenes = std::max(scenes, mirror_scenes_at_least);
+  const bool settled = verify_proposals(search, plan, hints.proposals, progress.stage(0.0, 0.1));
+  if (settled) plan.bank = {search.best[0].fit.dbh};  // one scene, one model: what chance and the second choice can do here
+  const std::size_t scenes = search_all(search, plan, settled ? 1 : plan.scenes.size(), !settled, {}, progress.stage(0.1, 0.6), "searching poses");
+  const std::size_t mirror_scenes = settled ? scenes : std::max(scenes, mirror_scenes_at_least);
   const double mirror = mirror_score(a, b, plan, mirror_scenes, settings, search.vote, progress.stage(0.6, 1.0));
   fill_acceptance(result, search, mirror, plan.log_poses);
   const Verdict verdict = accept_pose(result.acceptance, settings);

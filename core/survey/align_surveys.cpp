@@ -11,6 +11,8 @@
 #include "core/survey/level_by_axes.hpp"
 #include "core/survey/merge_coincident.hpp"
 #include "core/survey/place_survey.hpp"
+#include "core/survey/pose_from_frames.hpp"
+#include "core/survey/search_stems.hpp"
 
 namespace stemwise {
 namespace {
@@ -30,7 +32,23 @@ struct Prepared {
 
 bool is_aligned(const InventoryAlignment& report) { return report.status == AlignmentStatus::reference || report.status == AlignmentStatus::aligned; }
 
-Prepared prepare(const Inventory& inventory, const AlignSettings& settings) {
+/// Nodes of the stems that the search looks at; their members are indices into the inventory.
+NodeList nodes_for_search(const Inventory& inventory, const std::vector<Stem>& stems, const AlignSettings& settings, const AlignHints& hints) {
+  constexpr std::size_t most = 5000;
+  std::vector<std::size_t> named;
+  for (const auto& pair : hints.same_tree)
+    for (const StemRef& stem : {pair.a, pair.b})
+      if (stem.inventory == inventory.id && stem.index >= 0 && static_cast<std::size_t>(stem.index) < stems.size()) named.push_back(static_cast<std::size_t>(stem.index));
+  const std::vector<std::size_t> chosen = search_stems(inventory, most, named);
+  std::vector<Stem> few;
+  for (const std::size_t i : chosen) few.push_back(stems[i]);
+  NodeList nodes = merge_coincident(few, settings.lists.merge_radius_m);
+  for (auto& members : nodes.members)
+    for (std::size_t& m : members) m = chosen[m];
+  return nodes;
+}
+
+Prepared prepare(const Inventory& inventory, const AlignSettings& settings, const AlignHints& hints) {
   RigidTransform level;
   const bool heights = std::any_of(inventory.stems.begin(), inventory.stems.end(), [](const Stem& s) { return s.z_m.has_value(); });
   const Levelling levelling = heights ? level_by_axes(inventory.stems, settings.level) : Levelling{};
@@ -41,7 +59,7 @@ Prepared prepare(const Inventory& inventory, const AlignSettings& settings) {
     level.translation_m = middle - level.rotation * middle;
   }
   const auto stems = levelling.observed ? moved_stems(inventory, level) : inventory.stems;
-  return {&inventory, level, levelling.observed, IndexedList(merge_coincident(stems, settings.lists.merge_radius_m))};
+  return {&inventory, level, levelling.observed, IndexedList(nodes_for_search(inventory, stems, settings, hints))};
 }
 
 /// All that a run carries from step to step.
@@ -78,7 +96,7 @@ class Run {
     result_.reference = inventories_[reference_]->id;
     for (std::size_t k = 0; k < inventories_.size(); ++k) {
       progress.at(static_cast<double>(k) / static_cast<double>(inventories_.size()), "Preparing " + inventories_[k]->name);
-      prepared_.push_back(prepare(*inventories_[k], settings_));
+      prepared_.push_back(prepare(*inventories_[k], settings_, hints_));
       InventoryAlignment report;
       report.inventory = inventories_[k]->id;
       result_.inventories.push_back(report);
@@ -116,14 +134,21 @@ class Run {
 
   /// Lays inventory k onto inventory `on` and takes the pose over when it is accepted, or better than what there was.
   void align_pair(std::size_t k, std::size_t on, const Progress& progress) {
+    const auto retrieving = Clock::now();
+    const FramePose scenes = pose_from_frames(*inventories_[on], *inventories_[k], settings_.scenes, settings_.joint, settings_.threads, progress.stage(0.0, 0.5));
+    result_.timing.retrieve_s += seconds_since(retrieving);
     const auto start = Clock::now();
-    const ListAlignment found = align_lists(prepared_[k].list, prepared_[on].list, hints_for(k, on), settings_.lists, settings_.threads, progress);
+    ListHints hints = hints_for(k, on);
+    if (scenes.a_from_b)
+      hints.proposals.push_back(planar_part(prepared_[on].level_from_inventory * *scenes.a_from_b * prepared_[k].level_from_inventory.inverse()));
+    const ListAlignment found = align_lists(prepared_[k].list, prepared_[on].list, hints, settings_.lists, settings_.threads, progress.stage(0.5, 1.0));
     result_.timing.verify_s += seconds_since(start);
     InventoryAlignment& report = result_.inventories[k];
-    PairReport pair{inventories_[on]->id, inventories_[k]->id, found.score.matched > 0 ? 1 : 0, found.status == AlignmentStatus::aligned ? 1 : 0};
-    result_.pairs.push_back(pair);
     const bool accepted = found.status == AlignmentStatus::aligned || (settings_.accept_probable && found.status == AlignmentStatus::probable);
     const bool better = report.status == AlignmentStatus::unaligned || (report.status == AlignmentStatus::failed && found.status == AlignmentStatus::probable);
+    PairReport pair{inventories_[on]->id, inventories_[k]->id, scenes.constraints, accepted ? scenes.accepted : 0};
+    if (scenes.constraints == 0) pair = {pair.a, pair.b, found.score.matched > 0 ? 1 : 0, found.status == AlignmentStatus::aligned ? 1 : 0};
+    result_.pairs.push_back(pair);
     if (!accepted && !better) return;
     const RigidTransform reference_from_on = result_.inventories[on].reference_from_inventory;
     const auto in_reference = [&](const PlanarPose& on_from_k) {
@@ -312,7 +337,7 @@ class Run {
 Fields AlignSettings::fields() {
   Fields all{{"align.preset", "", "TreeLoc++ parameters for frames: auto, plot or route.", &preset},
              {"align.accept_probable", "", "Takes probable poses as accepted ones.", &accept_probable}};
-  for (auto part : {lists.fields(), level.fields(), six_dof.fields()}) all.insert(all.end(), part.begin(), part.end());
+  for (auto part : {lists.fields(), level.fields(), six_dof.fields(), scenes.fields("scenes"), joint.fields()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

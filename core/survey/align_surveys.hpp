@@ -7,9 +7,11 @@
 #include "core/forest/inventory.hpp"
 #include "core/jobs/progress.hpp"
 #include "core/survey/alignment.hpp"
+#include "core/survey/joint_pose.hpp"
 #include "core/survey/level_by_axes.hpp"
 #include "core/survey/list_settings.hpp"
 #include "core/survey/refine_six_dof.hpp"
+#include "core/treeloc/match_surveys.hpp"
 
 namespace stemwise {
 
@@ -39,6 +41,8 @@ struct AlignSettings {
   ListSettings lists;           ///< bare stem lists (stem-lists.md)
   LevelSettings level;          ///< uprighting lists that have axes
   SixDofSettings six_dof;       ///< roll, pitch and height from matched stems
+  treeloc::MatchSurveysSettings scenes;  ///< frames of one survey looked for in another
+  JointPoseSettings joint;      ///< one rigid pose from all scenes that were recognised
   Fields fields();              ///< every setting below and of the steps
 };
 
