@@ -49,9 +49,10 @@ ExitCode read_hints(const AlignOptions& options, const Project& project, Console
   return ExitCode::done;
 }
 
-AlignRun ended(ExitCode code) {
+AlignRun ended(ExitCode code, std::string problem = "") {
   AlignRun run;
   run.code = code;
+  run.problem = std::move(problem);
   return run;
 }
 
@@ -64,7 +65,7 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return ended(code);
   const Progress progress = session.progress();
   LoadedInventories loaded = load_inventories(options.inventories, options.read, session, progress.stage(0.0, 0.3));
-  if (loaded.code != ExitCode::done) return ended(loaded.code);
+  if (loaded.code != ExitCode::done) return ended(loaded.code, loaded.problem);
   const double read_s = seconds_since(start);
   if (const ExitCode code = add_all(std::move(loaded.inventories), options, run.project, session.console); code != ExitCode::done) return ended(code);
   remember_settings(session, run.project);

@@ -10,6 +10,7 @@ namespace stemwise {
 /// Inventories that went the whole road: read, aligned, matched, applied to a project that nobody has written yet.
 struct AlignRun {
   ExitCode code = ExitCode::done;  ///< anything else: it ended before there was an alignment, and said why
+  std::string problem;             ///< why, in one line, where an input was the reason
   Project project;
   Tables tables;
   AlignTiming timing;

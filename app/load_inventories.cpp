@@ -11,10 +11,13 @@ LoadedInventories load_inventories(const std::vector<std::string>& paths, const 
   ReadInputs read = read_inputs(paths, overrides, session, progress.stage(0.0, 0.5));
   LoadedInventories loaded;
   session.console.issues(read.usage);
-  if (has_error(read.usage)) return {ExitCode::usage, {}};
+  if (has_error(read.usage)) return {ExitCode::usage, {}, to_string(read.usage.front())};
   for (const ReadInput& input : read.inputs) {
     session.console.issues(input.inventory.issues);
-    if (!input.inventory) loaded.code = ExitCode::unusable_input;
+    if (input.inventory) continue;
+    loaded.code = ExitCode::unusable_input;
+    const auto error = std::find_if(input.inventory.issues.begin(), input.inventory.issues.end(), [](const Issue& i) { return i.severity == Severity::error; });
+    if (loaded.problem.empty() && error != input.inventory.issues.end()) loaded.problem = input.name + ": " + error->text;
   }
   if (loaded.code != ExitCode::done) return loaded;
   for (std::size_t i = 0; i < read.inputs.size(); ++i) {

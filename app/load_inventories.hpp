@@ -9,6 +9,7 @@ namespace stemwise {
 struct LoadedInventories {
   ExitCode code = ExitCode::done;  ///< usage, or unusable_input when one of them has no usable row: then there are none
   std::vector<Inventory> inventories;
+  std::string problem;  ///< the first error in one line; empty when there was none
 };
 
 /// Says every issue. Throws Cancelled.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "io/write_whole_file.hpp"
@@ -32,13 +33,16 @@ const char* status_word(StemStatus status) {
   return status == StemStatus::alive ? "alive" : status == StemStatus::dead ? "dead" : "";
 }
 
+/// To 1e-10 cm, so that metres to centimetres and back does not count up last digits.
+double rounded_cm(double dbh_m) { return std::round(dbh_m * 1e12) / 1e10; }
+
 std::string stem_line(const Stem& stem, const std::optional<Date>& survey_date, char delimiter) {
   const std::optional<Date> date = stem.date ? stem.date : survey_date;
   const std::array<std::string, 11> cells{quoted(stem.source_id, delimiter),
                                           exact_number(stem.x_m),
                                           exact_number(stem.y_m),
                                           optional_number(stem.z_m),
-                                          stem.dbh_m ? exact_number(*stem.dbh_m * 100.0) : "",
+                                          stem.dbh_m ? exact_number(rounded_cm(*stem.dbh_m)) : "",
                                           stem.axis ? exact_number(stem.axis->x()) : "",
                                           stem.axis ? exact_number(stem.axis->y()) : "",
                                           stem.axis ? exact_number(stem.axis->z()) : "",

@@ -136,7 +136,7 @@ std::string summary_line(const ManifestPlot& plot, ExitCode code, const AlignRun
   }
   std::string line = csv_cell(plot.plot) + "," + status_word(code) + "," + std::to_string(plot.rows.size()) + "," + std::to_string(aligned);
   line += run.code == ExitCode::done ? "," + std::to_string(run.tables.trees.size()) + "," + std::to_string(matched) + "," : ",,,";
-  line += (matched > 0 ? exact_number(std::round(std::sqrt(squares / matched) * 1e6) / 1e6) : "") + "," + growth_text(run.tables) + "," + csv_cell(problems_of(state));
+  line += (matched > 0 ? exact_number(std::round(std::sqrt(squares / matched) * 1e6) / 1e6) : "") + "," + growth_text(run.tables) + "," + csv_cell(run.problem.empty() ? problems_of(state) : run.problem);
   return line + "\n";
 }
 

@@ -47,7 +47,7 @@ ReportFigures key_figures(const ReportModel& model) {
   figures.push_back({grouped(static_cast<int>(model.trees.size())), "trees", "in " + std::to_string(model.placed) + " surveys"});
   if (model.growth.empty()) return figures;
   const ReportGrowth& last = model.growth.back();
-  figures.push_back({grouped(last.survivors), "survivors", span_text(model, last)});
+  figures.push_back({grouped(last.survivors), "matched stems", span_text(model, last)});
   if (last.row.n > 0) {
     const bool annual = last.row.years && std::abs(*last.row.years) > 0.05;
     const double factor = annual ? 10.0 * 100.0 / *last.row.years : 10.0 * 100.0;
@@ -55,7 +55,7 @@ ReportFigures key_figures(const ReportModel& model) {
                        "20-80 % band " + fixed(last.row.p20_p80_m[0] * factor, 1) + " to " + fixed(last.row.p20_p80_m[1] * factor, 1) + " mm"});
   }
   figures.push_back({grouped(last.new_stems), "new stems", "in " + model.surveys[last.to].name});
-  figures.push_back({grouped(last.missing_stems), "missing stems", "inside the coverage of " + model.surveys[last.to].name});
+  figures.push_back({grouped(last.missing_stems), "missing stems", "seen in " + model.surveys[last.from].name + ", not in " + model.surveys[last.to].name});
   return figures;
 }
 
@@ -118,7 +118,7 @@ ReportTable fate_table(const ReportModel& model) {
     if (n == 0) continue;
     table.rows.push_back({fate_label(static_cast<Fate>(i)), std::to_string(n), fixed(100.0 * n / std::max<std::size_t>(1, model.trees.size()), 1)});
   }
-  table.note = "Between the last two surveys. Missing means missing inside the later survey's coverage: whether a tree died or was removed is for a "
+  table.note = "Every tree of the project, by the last two surveys: also those that were lost, or missed, before. Missing means missing inside the later survey's coverage: whether a tree died or was removed is for a "
                "person to decide. A tree outside the coverage was not surveyed, and is not dead.";
   return table;
 }
@@ -197,7 +197,7 @@ ReportSection structure_section(const ReportModel& model) {
 
 ReportTable stem_table(const ReportModel& model, const char* title, const std::vector<ReportStem>& stems, const char* note) {
   ReportTable table{title, note, {{"Tree", false}, {"Survey", false}, {"Fate", false}, {"DBH cm"}, {"x m"}, {"y m"}, {"Species", false}}, {}};
-  table.printed_rows = 150;
+  table.printed_rows = 100;
   for (const ReportStem& stem : stems) {
     table.rows.push_back({tree_label(stem.tree), model.surveys[stem.survey].name, fate_label(stem.fate), fixed(stem.dbh_m, 1, 100.0),
                           fixed(stem.position_m.x(), 2), fixed(stem.position_m.y(), 2), stem.species});
