@@ -50,7 +50,7 @@ ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, co
   try {
     return chosen.run(session);
   } catch (const Cancelled&) {
-    console.error("interrupted, nothing was written");
+    console.error("interrupted; no half-written file was left");
     return ExitCode::interrupted;
   } catch (const std::bad_alloc&) {
     console.error("out of memory");
