@@ -10,7 +10,7 @@ namespace {
 
 const char* area_source(CoverageSource source) {
   switch (source) {
-    case CoverageSource::stems: return "hull of the stems";
+    case CoverageSource::stems: return "outline of the stems";
     case CoverageSource::frames: return "what the frames saw";
     case CoverageSource::drawn: return "drawn";
   }

@@ -20,7 +20,7 @@ struct ReportOptions {
 /// Where a per-hectare figure's hectares come from. Nothing where no area is known: then there is no per-hectare figure.
 struct ReportArea {
   double ha = 0.0;
-  std::string source;  ///< "given", "hull of the stems", "what the frames saw", "drawn"
+  std::string source;  ///< "given", "outline of the stems", "what the frames saw", "drawn"
 };
 
 struct ReportSurvey {

@@ -125,7 +125,7 @@ TEST(Report, PerHectareFiguresNameTheirArea) {
   const ProjectState state = three_surveys();
   const ReportModel own = model_of(state);
   ASSERT_TRUE(own.surveys[0].area);
-  EXPECT_EQ(own.surveys[0].area->source, "hull of the stems");
+  EXPECT_EQ(own.surveys[0].area->source, "outline of the stems");
   ReportOptions options;
   options.area_ha = 0.8;
   const ReportModel given = model_of(state, options);
