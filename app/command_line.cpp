@@ -65,6 +65,12 @@ bool is_command(const CLI::App& root, const std::string& word) {
   return !commands.empty();
 }
 
+/// A first word that is neither an option, nor a command, nor a file: a mistyped command, most likely.
+bool means_nothing(const std::vector<std::string>& arguments, const CLI::App& root) {
+  return !arguments.empty() && !arguments.front().starts_with("-") && !is_command(root, arguments.front()) &&
+         !std::filesystem::exists(arguments.front());
+}
+
 /// `stemwise [FILE...]` is `stemwise gui [FILE...]`.
 std::vector<std::string> with_command(std::vector<std::string> arguments, const CLI::App& root) {
   const bool opens_files = !arguments.empty() && !arguments.front().starts_with("-") && !is_command(root, arguments.front()) &&
@@ -95,6 +101,10 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   add_project_commands(root, common, chosen);
   add_evaluate_commands(root, common, chosen);
   root.require_subcommand(1);
+  if (means_nothing(arguments, root)) {
+    std::cerr << "error: '" << arguments.front() << "' is neither a command nor a file\nRun stemwise --help for what it takes.\n";
+    return ExitCode::usage;
+  }
   try {
     const std::vector<std::string> given = with_command(arguments, root);
     root.parse(std::vector<std::string>(given.rbegin(), given.rend()));
