@@ -12,7 +12,7 @@ namespace stemwise::treeloc {
 /// How the dominant stem axis is found (method.md, section 3).
 struct AlignAxesSettings {
   bool enabled = true;
-  int min_clusters = 3;
+  int min_clusters = 1;
   int min_trees = 3;
   double robust_scale_deg = 4.0;
   int refinements = 5;

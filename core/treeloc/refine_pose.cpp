@@ -113,12 +113,13 @@ Fields RefinePoseSettings::fields(const std::string& prefix) {
   return {
       {prefix + ".planar_scale_m", "m", "Planar residual at which a pair counts half", &planar_scale_m},
       {prefix + ".height_scale_m", "m", "Noise of base heights; a residual of this size counts half", &height_scale_m},
-      {prefix + ".axis_scale_deg", "deg", "Noise of stem axes", &axis_scale_deg},
+      {prefix + ".axis_scale_deg", "deg", "Difference of two stem axes at which the pair counts half", &axis_scale_deg},
       {prefix + ".tilt_prior_deg", "deg", "How far axis alignment may leave a scene from upright", &tilt_prior_deg},
       {prefix + ".height_prior", "", "A carried sensor keeps its height above the ground", &height_prior},
       {prefix + ".height_prior_m", "m", "Standard deviation of the height difference of two poses at one spot", &height_prior_m},
       {prefix + ".height_prior_per_m", "m/m", "What it grows by per metre of displacement", &height_prior_per_m},
-      {prefix + ".iterations", "", "Reweighted steps", &iterations}};
+      {prefix + ".height_bias_m", "m", "How far base heights of a carried sensor's frame may be off together", &height_bias_m},
+          {prefix + ".iterations", "", "Reweighted steps", &iterations}};
 }
 
 RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs, const PlanarPose& start,

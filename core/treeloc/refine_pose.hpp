@@ -11,7 +11,7 @@ namespace stemwise::treeloc {
 struct RefinePoseSettings {
   double planar_scale_m = 0.12;
   double height_scale_m = 0.25;
-  double axis_scale_deg = 4.0;
+  double axis_scale_deg = 0.7;
   double tilt_prior_deg = 1.0;
   bool height_prior = true;
   double height_prior_m = 0.08;

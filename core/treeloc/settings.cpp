@@ -117,6 +117,7 @@ Settings settings_for(Method method, const std::string& preset) {
   if (method == Method::stemwise && preset == "auto") return s;
   s.triangles.area = method != Method::stemwise;
   s.triangles.orientation = method == Method::stemwise;
+  if (method != Method::stemwise) s.axes.min_clusters = 3, s.axes.refinements = 0;
   (preset == "plot" ? use_plot : use_route)(s);
   if (method == Method::treeloc) use_predecessor(s);
   return s;
