@@ -1,10 +1,15 @@
 #include "core/treeloc/match_trees.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace stemwise::treeloc {
 
 void PlanarTreeStore::add(const Scene& scene) {
+  const auto by_x = [](const SceneTree& a, const SceneTree& b) { return a.position_m.x() < b.position_m.x(); };
+  if (!std::is_sorted(scene.trees.begin(), scene.trees.end(), by_x))
+    throw std::logic_error("a scene's trees are not in order of x");
   for (const SceneTree& tree : scene.trees) {
     x_m_.push_back(static_cast<float>(tree.position_m.x()));
     y_m_.push_back(static_cast<float>(tree.position_m.y()));
@@ -36,7 +41,8 @@ void TreeMatcher::pair(const PlanarTrees& query, const PlanarTrees& candidate, c
   const auto cosine = static_cast<float>(pose.cosine), sine = static_cast<float>(pose.sine);
   const auto shift_x = static_cast<float>(pose.x_m), shift_y = static_cast<float>(pose.y_m);
   const auto tau_dbh = static_cast<float>(settings_.tau_dbh_m);
-  const auto radius_sq = static_cast<float>(radius_m * radius_m);
+  const auto radius = static_cast<float>(radius_m);
+  const float radius_sq = radius * radius;
   const std::size_t count = candidate.size();
   best_of_candidate_.assign(count, {0, 0, radius_sq});
   for (std::size_t i = 0; i < query.size(); ++i) {
@@ -45,7 +51,9 @@ void TreeMatcher::pair(const PlanarTrees& query, const PlanarTrees& candidate, c
     const float dbh = query.dbh_m[i];
     float nearest_sq = radius_sq;
     std::size_t nearest = count;
-    for (std::size_t j = 0; j < count; ++j) {
+    // Trees lie in order of x: only a narrow strip of them can be near enough.
+    const auto first = std::lower_bound(candidate.x_m.begin(), candidate.x_m.end(), x - radius);
+    for (auto j = static_cast<std::size_t>(first - candidate.x_m.begin()); j < count && candidate.x_m[j] <= x + radius; ++j) {
       const float dx = x - candidate.x_m[j], dy = y - candidate.y_m[j];
       const float distance_sq = dx * dx + dy * dy;
       if (distance_sq < nearest_sq && std::abs(dbh - candidate.dbh_m[j]) < tau_dbh) nearest_sq = distance_sq, nearest = j;

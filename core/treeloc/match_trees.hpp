@@ -10,7 +10,7 @@
 
 namespace stemwise::treeloc {
 
-/// Positions and diameters of a scene's trees, side by side.
+/// Positions and diameters of a scene's trees, side by side, in order of x.
 struct PlanarTrees {
   std::span<const float> x_m;
   std::span<const float> y_m;

@@ -108,6 +108,19 @@ SceneTree tree_from(const Offer& offer, const Eigen::Matrix3d& aligned_from_scen
   return tree;
 }
 
+/// The nearest ones where there are too many, in order of x.
+void order_trees(std::vector<SceneTree>& trees) {
+  const auto less = [](const auto& a, const auto& b) { return a < b; };
+  const auto range_sq = [](const SceneTree& t) { return t.position_m.head<2>().squaredNorm(); };
+  if (trees.size() > Scene::most_trees) {
+    std::stable_sort(trees.begin(), trees.end(),
+                     [&](const SceneTree& a, const SceneTree& b) { return less(range_sq(a), range_sq(b)); });
+    trees.resize(Scene::most_trees);
+  }
+  std::stable_sort(trees.begin(), trees.end(),
+                   [&](const SceneTree& a, const SceneTree& b) { return less(a.position_m.x(), b.position_m.x()); });
+}
+
 /// Base height under the origin: the median over the trees within 10 m (at least 3).
 void observe_ground(Scene& scene) {
   std::vector<double> heights;
@@ -129,8 +142,45 @@ Scene scene_from(const std::vector<Offer>& offers, std::span<const Eigen::Vector
   }
   scene.trees.reserve(offers.size());
   for (const Offer& offer : offers) scene.trees.push_back(tree_from(offer, scene.aligned_from_scene));
+  order_trees(scene.trees);
   observe_ground(scene);
   return scene;
+}
+
+/// The stems of a list, found by place.
+class StemsByX {
+public:
+  explicit StemsByX(std::span<const Stem> stems) : stems_(stems), order_(stems.size()) {
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return stems_[a].x_m < stems_[b].x_m; });
+  }
+  double lowest_m() const { return stems_[order_.front()].x_m; }
+  double highest_m() const { return stems_[order_.back()].x_m; }
+  /// Indices of the stems in a square around a position, in order.
+  std::vector<std::size_t> within(const Eigen::Vector3d& center, double radius_m) const {
+    const auto before = [&](std::size_t i) { return stems_[i].x_m < center.x() - radius_m; };
+    std::vector<std::size_t> found;
+    for (auto it = std::partition_point(order_.begin(), order_.end(), before); it != order_.end(); ++it) {
+      if (stems_[*it].x_m > center.x() + radius_m) break;
+      if (std::abs(stems_[*it].y_m - center.y()) <= radius_m) found.push_back(*it);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+private:
+  std::span<const Stem> stems_;
+  std::vector<std::size_t> order_;
+};
+
+/// Base height of the stem nearest to a position; 0 where none has one.
+double ground_near(std::span<const Stem> stems, std::span<const std::size_t> nearby, const Eigen::Vector3d& center) {
+  double height_m = 0.0, nearest_sq = std::numeric_limits<double>::max();
+  for (const std::size_t i : nearby) {
+    const double distance_sq = std::pow(stems[i].x_m - center.x(), 2) + std::pow(stems[i].y_m - center.y(), 2);
+    if (stems[i].z_m && distance_sq < nearest_sq) nearest_sq = distance_sq, height_m = *stems[i].z_m;
+  }
+  return height_m;
 }
 
 }  // namespace
@@ -195,36 +245,21 @@ std::vector<Scene> prepare_frame_scenes(const FrameSet& set, const PrepareSettin
 std::vector<Scene> prepare_grid_scenes(std::span<const Stem> stems, double spacing_m, int min_trees,
                                        const PrepareSettings& settings, const AlignAxesSettings& axes, int threads) {
   if (stems.empty() || spacing_m <= 0.0) return {};
-  std::vector<std::size_t> by_x(stems.size());
-  for (std::size_t i = 0; i < by_x.size(); ++i) by_x[i] = i;
-  std::stable_sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return stems[a].x_m < stems[b].x_m; });
-  const auto [low_y, high_y] =
+  const StemsByX by_x(stems);
+  const auto [low, high] =
       std::minmax_element(stems.begin(), stems.end(), [](const Stem& a, const Stem& b) { return a.y_m < b.y_m; });
-  const double min_x = stems[by_x.front()].x_m;
-  const auto columns = static_cast<std::size_t>((stems[by_x.back()].x_m - min_x) / spacing_m) + 1;
-  const auto rows = static_cast<std::size_t>((high_y->y_m - low_y->y_m) / spacing_m) + 1;
+  const auto columns = static_cast<std::size_t>((by_x.highest_m() - by_x.lowest_m()) / spacing_m) + 1;
+  const auto rows = static_cast<std::size_t>((high->y_m - low->y_m) / spacing_m) + 1;
   std::vector<std::vector<Scene>> of_column(columns);
   parallel_for(columns, threads, [&](std::size_t column) {
-    const double x = min_x + static_cast<double>(column) * spacing_m;
-    const auto first =
-        std::partition_point(by_x.begin(), by_x.end(), [&](std::size_t i) { return stems[i].x_m < x - settings.local_radius_m; });
-    const auto last =
-        std::partition_point(first, by_x.end(), [&](std::size_t i) { return stems[i].x_m <= x + settings.local_radius_m; });
     for (std::size_t row = 0; row < rows; ++row) {
-      const double y = low_y->y_m + static_cast<double>(row) * spacing_m;
-      std::vector<std::size_t> nearby;
-      double height_m = 0.0, nearest_sq = std::numeric_limits<double>::max();
-      for (auto it = first; it != last; ++it) {
-        const Stem& stem = stems[*it];
-        if (std::abs(stem.y_m - y) > settings.local_radius_m) continue;
-        nearby.push_back(*it);
-        const double distance_sq = (stem.x_m - x) * (stem.x_m - x) + (stem.y_m - y) * (stem.y_m - y);
-        if (stem.z_m && distance_sq < nearest_sq) nearest_sq = distance_sq, height_m = *stem.z_m;
-      }
+      Eigen::Vector3d center(by_x.lowest_m() + static_cast<double>(column) * spacing_m,
+                             low->y_m + static_cast<double>(row) * spacing_m, 0.0);
+      const auto nearby = by_x.within(center, settings.local_radius_m);
       if (static_cast<int>(nearby.size()) < min_trees) continue;
-      std::sort(nearby.begin(), nearby.end());
-      const auto number = static_cast<std::int64_t>(column * rows + row);
-      of_column[column].push_back(prepare_cut_scene(stems, nearby, {x, y, height_m}, number, settings, axes));
+      center.z() = ground_near(stems, nearby, center);
+      of_column[column].push_back(
+          prepare_cut_scene(stems, nearby, center, static_cast<std::int64_t>(column * rows + row), settings, axes));
     }
   });
   std::vector<Scene> scenes;

@@ -52,7 +52,8 @@ std::vector<TiltPair> tilt_pairs(const Scene& query, const Scene& candidate, std
     const Eigen::Vector3d at = lifted * q.position_m;
     const bool axes = q.has_axis() && c.has_axis();
     const Eigen::Vector3d difference = c.axis - lifted.rotation * q.axis;
-    out.push_back({{1.0, at.y(), -at.x(), 1.0}, c.position_m.z() - at.z(), q.has_height && c.has_height, axes, difference.head<2>()});
+    out.push_back(
+        {{1.0, at.y(), -at.x(), 1.0}, c.position_m.z() - at.z(), q.has_height && c.has_height, axes, difference.head<2>()});
   }
   return out;
 }
@@ -70,7 +71,8 @@ double median_difference(const std::vector<TiltPair>& pairs) {
 
 /// What is known before any tree: scenes are nearly upright; a carried sensor keeps its height, and then it is base heights
 /// that may be off together (method.md, section 12), else they are taken as they are.
-void add_priors(TiltEquations& equations, double dz_m, double displacement_m, bool level_sensor, const RefinePoseSettings& settings) {
+void add_priors(TiltEquations& equations, double dz_m, double displacement_m, bool level_sensor,
+                const RefinePoseSettings& settings) {
   const double tilt_weight = 1.0 / std::pow(radians(settings.tilt_prior_deg), 2);
   equations.add({0.0, 1.0, 0.0, 0.0}, 0.0, tilt_weight);
   equations.add({0.0, 0.0, 1.0, 0.0}, 0.0, tilt_weight);
@@ -81,7 +83,8 @@ void add_priors(TiltEquations& equations, double dz_m, double displacement_m, bo
 }
 
 /// (dz, roll, pitch, bias) by reweighted least squares.
-Eigen::Vector4d solve_tilt(const std::vector<TiltPair>& pairs, double displacement_m, bool level_sensor, const RefinePoseSettings& settings) {
+Eigen::Vector4d solve_tilt(const std::vector<TiltPair>& pairs, double displacement_m, bool level_sensor,
+                           const RefinePoseSettings& settings) {
   Eigen::Vector4d solution(0.0, 0.0, 0.0, 0.0);
   (level_sensor ? solution[3] : solution[0]) = median_difference(pairs);
   const double axis_scale = radians(settings.axis_scale_deg);
@@ -97,8 +100,10 @@ Eigen::Vector4d solve_tilt(const std::vector<TiltPair>& pairs, double displaceme
       if (p.has_axes) {
         const Eigen::Vector2d r = p.axis_difference - Eigen::Vector2d(solution[2], -solution[1]);
         const double weight = cauchy(r.squaredNorm(), axis_scale) / (axis_scale * axis_scale);
-        equations.add({0.0, 0.0, 1.0, 0.0}, p.axis_difference.x(), weight);
-        equations.add({0.0, -1.0, 0.0, 0.0}, p.axis_difference.y(), weight);
+        equations.normal(2, 2) += weight;  // a difference in x is a pitch, one in y a negative roll
+        equations.right[2] += weight * p.axis_difference.x();
+        equations.normal(1, 1) += weight;
+        equations.right[1] -= weight * p.axis_difference.y();
       }
     }
     if (equations.normal(0, 0) <= 0.0) equations.normal(0, 0) = 1.0;  // no height anywhere: none is observed
@@ -119,7 +124,7 @@ Fields RefinePoseSettings::fields(const std::string& prefix) {
       {prefix + ".height_prior_m", "m", "Standard deviation of the height difference of two poses at one spot", &height_prior_m},
       {prefix + ".height_prior_per_m", "m/m", "What it grows by per metre of displacement", &height_prior_per_m},
       {prefix + ".height_bias_m", "m", "How far base heights of a carried sensor's frame may be off together", &height_bias_m},
-          {prefix + ".iterations", "", "Reweighted steps", &iterations}};
+      {prefix + ".iterations", "", "Reweighted steps", &iterations}};
 }
 
 RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs, const PlanarPose& start,

@@ -22,6 +22,7 @@ struct SceneTree {
 
 /// What is described and matched: the trees around one pose (method.md, sections 1 to 3).
 struct Scene {
+  static constexpr std::size_t most_trees = 255;
   std::int64_t number = 0;           ///< frame number, or running number of a sampled position
   RigidTransform survey_from_scene;  ///< where the scene stands in its survey: the frame's pose, or the sampled position
   Eigen::Matrix3d aligned_from_scene = Eigen::Matrix3d::Identity();  ///< R^A of eq. 1
@@ -29,7 +30,7 @@ struct Scene {
   bool from_frame = false;                                           ///< a carried sensor stood at its origin
   double ground_m = 0.0;  ///< base height under the origin in the aligned frame, from the nearest trees
   bool ground_observed = false;
-  std::vector<SceneTree> trees;
+  std::vector<SceneTree> trees;  ///< in order of x: pairing relies on it; at most 255
 };
 
 }  // namespace stemwise::treeloc

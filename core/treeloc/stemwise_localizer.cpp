@@ -114,18 +114,31 @@ private:
     return c;
   }
 
+  double score_of(const Verified& v) const {
+    return overlap_score_linear(v.pairs, query_trees_.trees(0).size(), db_.trees.trees(v.scene).size(), v.pose.displacement_m(),
+                                db_.settings.verify.penalty_m);
+  }
+
+  /// Each scene once, the chosen one first, then by score; no more than will be put together.
+  void keep_best(std::size_t chosen) {
+    std::swap(verified_.front(), verified_[chosen]);
+    std::stable_sort(verified_.begin() + 1, verified_.end(),
+                     [&](const Verified& a, const Verified& b) { return score_of(a) > score_of(b); });
+    std::size_t kept = 0;
+    for (const Verified& v : verified_) {
+      const auto end = verified_.begin() + static_cast<std::ptrdiff_t>(kept);
+      if (std::any_of(verified_.begin(), end, [&](const Verified& k) { return k.scene == v.scene; })) continue;
+      verified_[kept++] = v;
+    }
+    verified_.resize(std::min(kept, static_cast<std::size_t>(std::max(1, db_.settings.fuse.most))));
+  }
+
   Localization answer(const Scene& query) {
     Localization found;
     const std::ptrdiff_t best = choose();
     if (best < 0) return found;
-    std::swap(verified_.front(), verified_[static_cast<std::size_t>(best)]);
-    for (const Verified& v : verified_) {
-      const bool known = std::any_of(found.candidates.begin(), found.candidates.end(),
-                                     [&](const Candidate& c) { return c.scene == v.scene && c.pairs >= v.pairs; });
-      if (!known) found.candidates.push_back(candidate_of(v, query));
-    }
-    std::stable_sort(found.candidates.begin() + 1, found.candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    keep_best(static_cast<std::size_t>(best));
+    for (const Verified& v : verified_) found.candidates.push_back(candidate_of(v, query));
     Candidate& chosen = found.candidates.front();
     chosen.evidence =
         chance_evidence(chosen.pairs, query_trees_.trees(0), db_.trees.trees(chosen.scene), db_.settings.match.fine_m,
@@ -140,7 +153,6 @@ private:
     const RigidTransform reference = db_.scenes[chosen.scene].survey_from_scene * chosen.candidate_from_query;
     std::vector<WeightedPose> poses;
     for (const Candidate& c : candidates) {
-      if (static_cast<int>(poses.size()) >= db_.settings.fuse.most) break;
       const RigidTransform pose = db_.scenes[c.scene].survey_from_scene * c.candidate_from_query;
       if ((pose.translation_m - reference.translation_m).norm() > 1.5) continue;
       poses.push_back({pose, c.score});

@@ -28,6 +28,11 @@ public:
   std::uint32_t scene_count() const { return scene_count_; }
   std::size_t segment_count() const { return segments_.size(); }
   std::size_t triangle_count() const;
+  /// Ask for what `postings` will read: first the one, some triangles later the other.
+  void prefetch_start(std::size_t segment, std::uint32_t key) const { __builtin_prefetch(segments_[segment].start.data() + key); }
+  void prefetch_postings(std::size_t segment, std::uint32_t key) const {
+    __builtin_prefetch(segments_[segment].postings.data() + segments_[segment].start[key]);
+  }
   std::span<const Posting> postings(std::size_t segment, std::uint32_t key) const {
     const Segment& s = segments_[segment];
     return {s.postings.data() + s.start[key], s.postings.data() + s.start[key + 1]};

@@ -8,7 +8,10 @@
 namespace stemwise::treeloc {
 namespace {
 
-constexpr std::size_t most_trees = 255;
+constexpr std::size_t most_trees = Scene::most_trees;
+
+/// To the nearest whole number; for |v| < 32000 (std::lround is a call, and there are three per triangle).
+int rounded(float v) { return static_cast<int>(v + 32768.5F) - 32768; }
 
 /// Angle of (x, y) in 256ths of a turn, rounded. The polynomial is within 0.1 degrees; a step is 1.4.
 std::uint8_t turn_of(float x, float y) {
@@ -19,11 +22,11 @@ std::uint8_t turn_of(float x, float y) {
   if (ay > ax) angle = std::numbers::pi_v<float> / 2 - angle;
   if (x < 0.0F) angle = std::numbers::pi_v<float> - angle;
   if (y < 0.0F) angle = -angle;
-  return static_cast<std::uint8_t>(static_cast<int>(std::lround(angle * (128.0F / std::numbers::pi_v<float>))) & 255);
+  return static_cast<std::uint8_t>(rounded(angle * (128.0F / std::numbers::pi_v<float>)) & 255);
 }
 
 std::int16_t centimetres(float metres) {
-  return static_cast<std::int16_t>(std::lround(std::clamp(metres * 100.0F, -32000.0F, 32000.0F)));
+  return static_cast<std::int16_t>(rounded(std::clamp(metres * 100.0F, -32000.0F, 32000.0F)));
 }
 
 }  // namespace
@@ -73,10 +76,10 @@ void TriangleMaker::find_neighbours() {
   const std::size_t n = tree_count_;
   distance_.resize(n * n);
   for (std::size_t i = 0; i < n; ++i) {
-    float* const row = distance_.data() + i * n;
-    for (std::size_t j = 0; j < n; ++j) {
+    distance_[i * n + i] = 0.0F;
+    for (std::size_t j = i + 1; j < n; ++j) {
       const float dx = x_[i] - x_[j], dy = y_[i] - y_[j];
-      row[j] = std::sqrt(dx * dx + dy * dy);
+      distance_[i * n + j] = distance_[j * n + i] = std::sqrt(dx * dx + dy * dy);
     }
   }
   neighbour_count_ = std::min<std::size_t>(static_cast<std::size_t>(std::max(0, settings_.neighbours)), n > 0 ? n - 1 : 0);
@@ -123,7 +126,8 @@ void TriangleMaker::add_triangle(std::size_t i, std::size_t j, std::size_t k) {
   Triangle& t = triangles_.emplace_back();
   t.key = keys_.key(steps(side[0]), steps(side[1]), steps(side[2]), steps(std::abs(twice_area) / 2), twice_area > 0.0F);
   const float cx = x0 + (ex + fx) / 3.0F, cy = y0 + (ey + fy) / 3.0F;
-  const float cosine = ex / side[2], sine = ey / side[2];
+  const float per_length = 1.0F / side[2];
+  const float cosine = ex * per_length, sine = ey * per_length;
   t.origin_x_cm = centimetres(-(cosine * cx + sine * cy));
   t.origin_y_cm = centimetres(sine * cx - cosine * cy);
   t.yaw = turn_of(ex, ey);

@@ -36,7 +36,11 @@ void SceneVote::collect_hits(const TriangleIndex& index, std::span<const Triangl
   const int gate_cm = static_cast<int>(std::lround(settings_.gate_m * 100.0));
   const int gate_sq = gate_cm * gate_cm;
   for (std::size_t segment = 0; segment < index.segment_count(); ++segment) {
-    for (const Triangle& t : query) {
+    for (std::size_t i = 0; i < query.size(); ++i) {
+      // The index is far larger than the caches: ask ahead.
+      if (i + 16 < query.size()) index.prefetch_start(segment, query[i + 16].key);
+      if (i + 8 < query.size()) index.prefetch_postings(segment, query[i + 8].key);
+      const Triangle& t = query[i];
       for (const Posting& p : index.postings(segment, t.key)) {
         if (p.scene >= scene_limit) break;
         const int dx = t.origin_x_cm - p.origin_x_cm, dy = t.origin_y_cm - p.origin_y_cm;
