@@ -7,6 +7,8 @@
 
 #include "app/commands/evaluation_output.hpp"
 #include "core/base/parallel.hpp"
+#include "core/survey/build_global_inventory.hpp"
+#include "core/treeloc/prepare_scene.hpp"
 #include "io/read_frame_folder.hpp"
 #include "io/read_regions.hpp"
 
@@ -50,6 +52,10 @@ private:
     }
     const bool known_preset = preset == "auto" || preset == "plot" || preset == "route";
     const bool known_mode = options_.map_mode == "frames" || options_.map_mode == "global";
+    if (options_.map_mode == "global" && !inter()) {
+      session_.console.error("--map-mode global is for evaluate inter");
+      return ExitCode::usage;
+    }
     if (!method || !known_preset || !known_mode) {
       session_.console.error("methods: stemwise, treeloc++, treeloc; presets: auto, plot, route; map modes: frames, global");
       return ExitCode::usage;
@@ -79,25 +85,41 @@ private:
     return ExitCode::done;
   }
 
+  /// The map first: what "auto" derives from a survey it derives from the map.
   ExitCode read_and_describe() {
-    for (const std::string* folder : {&options_.query_folder, &options_.map_folder}) {
-      if (folder->empty()) continue;
-      session_.progress().at(folder == &options_.query_folder ? 0.0 : 0.15, "Reading " + *folder);
-      const auto start = Clock::now();
-      const auto inventory = read_frame_folder(*folder, session_.common.threads);
-      about_.read_s += seconds_since(start);
-      session_.console.issues(inventory.issues);
-      if (!inventory) return ExitCode::unusable_input;
-      const bool is_map = folder == &options_.map_folder;
-      if (!inter() || is_map) settings_ = treeloc::resolve_settings(settings_, *inventory->frames);
-      const auto described = Clock::now();
-      (is_map ? map_ : queries_) =
-          treeloc::prepare_frame_scenes(*inventory->frames, settings_.scene, settings_.axes, session_.common.threads);
-      about_.describe_s += seconds_since(described);
-      (is_map ? about_.map : about_.query) = inventory->name;
+    if (inter()) {
+      if (const ExitCode code = read_scenes(options_.map_folder, true); code != ExitCode::done) return code;
     }
-    if (!inter()) about_.map = about_.query;
+    return read_scenes(options_.query_folder, !inter());
+  }
+
+  ExitCode read_scenes(const std::string& folder, bool is_map) {
+    session_.progress().at(is_map ? 0.0 : 0.15, "Reading " + folder);
+    const auto start = Clock::now();
+    const auto inventory = read_frame_folder(folder, session_.common.threads);
+    about_.read_s += seconds_since(start);
+    session_.console.issues(inventory.issues);
+    if (!inventory) return ExitCode::unusable_input;
+    if (is_map) settings_ = treeloc::resolve_settings(settings_, *inventory->frames);
+    const auto described = Clock::now();
+    const bool global = is_map && options_.map_mode == "global";
+    auto scenes =
+        global ? global_scenes(*inventory->frames)
+               : treeloc::prepare_frame_scenes(*inventory->frames, settings_.scene, settings_.axes, session_.common.threads);
+    about_.describe_s += seconds_since(described);
+    (inter() && is_map ? map_ : queries_) = std::move(scenes);
+    if (is_map) about_.map = inventory->name;
+    about_.query = inventory->name;
     return ExitCode::done;
+  }
+
+  /// Relocalisation (method.md, section 9): the map's trees as one list, cut on a grid.
+  std::vector<treeloc::Scene> global_scenes(const FrameSet& frames) {
+    constexpr double grid_spacing_m = 5.0;
+    constexpr int grid_min_trees = 10;
+    const GlobalInventory global = build_global_inventory(frames, {}, session_.progress().stage(0.05, 0.15));
+    return treeloc::prepare_grid_scenes(global.stems, grid_spacing_m, grid_min_trees, settings_.scene, settings_.axes,
+                                        session_.common.threads);
   }
 
   ExitCode write(const treeloc::Evaluation& evaluation) {
