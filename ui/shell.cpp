@@ -216,8 +216,8 @@ void Shell::Impl::start_browsing(Frame& frame) {
     case Dialog::open_project: mode = {"Open a project", "Open", {".gpkg"}, false, false, ""}; break;
     case Dialog::add_inventories: mode = {"Add inventories", "Add", {}, false, true, ""}; break;
     case Dialog::save_project: mode = {"Save the project", "Save", {".gpkg"}, true, false, title + ".gpkg"}; break;
-    case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".geojson", ".csv"}, true, false, title + "-trees.gpkg"}; break;
-    default: mode = {"Write the report to", "Choose", {".html", ".csv"}, true, false, title + "-growth.html"}; break;
+    case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".csv", ".xlsx", ".geojson", ".shp", ".kml", ".dxf", ".fgb"}, true, false, title + "-trees.gpkg"}; break;
+    default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv"}, true, false, title + "-growth.html"}; break;
   }
   files.open(std::move(mode), frame.status.working_folder);
 }

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 
 #include "app/platform/folders.hpp"
 #include "app/window/autosave.hpp"
 #include "app/window/requests.hpp"
 #include "app/window/window_model.hpp"
+#include "io/project_file.hpp"
 #include "ui/actions/availability.hpp"
 #include "ui/shell.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string preferences_file(const std::string& folder) { return folder + "/window.json"; }
 
@@ -26,8 +24,6 @@ void apply_preferences(const Preferences& p, ui::ViewState& view) {
   view.panels = p.panels;
   view.layers = p.layers;
 }
-
-bool is_project(const std::string& path) { return fs::path(path).extension() == ".gpkg"; }
 
 }  // namespace
 

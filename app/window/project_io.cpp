@@ -3,18 +3,12 @@
 #include <filesystem>
 
 #include "core/simulate/simulate_forest.hpp"
+#include "core/survey/build_global_inventory.hpp"
 #include "core/survey/report_model.hpp"
+#include "io/export_layer.hpp"
+#include "io/project_file.hpp"
 #include "io/read_inventory.hpp"
 #include "io/report/write_report.hpp"
-#if __has_include("io/project_file.hpp")
-#include "io/project_file.hpp"
-#endif
-#if __has_include("io/export_layer.hpp")
-#include "io/export_layer.hpp"
-#endif
-#if __has_include("core/survey/build_global_inventory.hpp")
-#include "core/survey/build_global_inventory.hpp"
-#endif
 
 namespace stemwise {
 namespace {
@@ -31,7 +25,6 @@ ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& 
     Result<Inventory> one = read_inventory(paths[i]);
     read.issues.insert(read.issues.end(), one.issues.begin(), one.issues.end());
     if (!one) continue;
-#if __has_include("core/survey/build_global_inventory.hpp")
     *one = with_global_stems(std::move(*one), {}, progress.stage(share(0.3), share(1.0)));
 #endif
     read.inventories.push_back(std::move(*one));
@@ -54,28 +47,19 @@ ReadSurveys make_demo(const Progress& progress) {
 Result<ProjectState> read_project_file(const std::string& path) {
 #if __has_include("io/project_file.hpp")
   return read_project(path);
-#else
-  return Result<ProjectState>::failure(Issue{.text = path});
-#endif
 }
 
 Result<Done> write_project_file(const std::string& path, const ProjectState& state) {
-#if __has_include("io/project_file.hpp")
   return write_project(state, path);
-#else
-  (void)state;
-  return Result<Done>::failure(Issue{.text = path});
-#endif
 }
 
 Result<Done> write_export(const ProjectState& state, const ui::request::Export& what) {
-#if __has_include("io/export_layer.hpp")
   ExportOptions options;
+  options.layer = layer_kind_from(what.layer);
+  if (what.epsg != 0) options.epsg = what.epsg;
+  options.decimal_comma = what.decimal_comma;
+  if (what.semicolon) options.delimiter = ';';
   return export_layer(state, what.path, options);
-#else
-  (void)state;
-  return Result<Done>::failure(Issue{.text = what.path});
-#endif
 }
 
 Result<Done> write_growth_report(const ProjectState& state, const ui::request::WriteReport& what) {

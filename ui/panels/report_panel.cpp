@@ -13,7 +13,9 @@ struct Format {
   const char* label;
   const char* suffix;
 };
-constexpr Format formats[] = {{"GeoPackage (.gpkg)", ".gpkg"}, {"GeoJSON (.geojson)", ".geojson"}, {"CSV table (.csv)", ".csv"}};
+constexpr Format formats[] = {{"GeoPackage (.gpkg)", ".gpkg"}, {"CSV table (.csv)", ".csv"},          {"Workbook (.xlsx)", ".xlsx"},
+                              {"GeoJSON (.geojson)", ".geojson"}, {"Shapefile (.shp)", ".shp"},       {"KML (.kml)", ".kml"},
+                              {"DXF drawing (.dxf)", ".dxf"},     {"FlatGeobuf (.fgb)", ".fgb"}};
 
 struct Layer {
   const char* label;
@@ -89,7 +91,7 @@ void ReportPanel::draw_crs(Widgets& w, const Frame& frame) {
   const std::string own = placed ? (g.kind == GeoreferenceKind::anchor ? "UTM zone of the project" : "EPSG:" + std::to_string(g.epsg)) : "Local (metres)";
   w.combo("export/crs", {own, "WGS 84 (longitude, latitude)", "Other EPSG number"}, crs_);
   if (crs_ == 2) w.number("export/epsg", epsg_, "%.0f");
-  if (!placed && (crs_ != 0 || suffix() == ".geojson")) {
+  if (!placed && (crs_ != 0 || suffix() == ".geojson" || suffix() == ".kml")) {
     w.paragraph("The project is not on the earth yet: georeference it in step 4 first.", TextRole::table, Tone::warning);
   }
 }
@@ -97,7 +99,7 @@ void ReportPanel::draw_crs(Widgets& w, const Frame& frame) {
 void ReportPanel::draw_report(Widgets& w, Frame& frame) {
   w.gap(12);
   w.section("Growth report");
-  w.paragraph("Surveys and alignment quality, matched stems, DBH change with its 20–80 % band, DBH classes, new and missing stems. Suffix .html or .csv.",
+  w.paragraph("Surveys and alignment quality, matched stems, DBH change with its 20–80 % band, DBH classes, new and missing stems. Suffix .html, .pdf or .csv.",
               TextRole::caption, Tone::secondary);
   w.input("report/path", report_path_, {.width = w.available_width() - w.px(92)});
   ImGui::SameLine();
