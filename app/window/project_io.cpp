@@ -26,7 +26,6 @@ ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& 
     read.issues.insert(read.issues.end(), one.issues.begin(), one.issues.end());
     if (!one) continue;
     *one = with_global_stems(std::move(*one), {}, progress.stage(share(0.3), share(1.0)));
-#endif
     read.inventories.push_back(std::move(*one));
   }
   return read;
@@ -45,7 +44,6 @@ ReadSurveys make_demo(const Progress& progress) {
 }
 
 Result<ProjectState> read_project_file(const std::string& path) {
-#if __has_include("io/project_file.hpp")
   return read_project(path);
 }
 
