@@ -54,7 +54,7 @@ struct Answer {
     if (r.clicked && m.view.tool != ui::Tool::measure) {
       pick ? click_stem(m, *pick) : select_tree(m, TreeId{}, false);
     }
-    if (r.double_clicked && pick && pick->tree) m.viewport.fly_to(pick->tree, !m.view.reduce_motion);
+    if (r.double_clicked && m.view.selected_tree) m.viewport.fly_to(m.view.selected_tree, !m.view.reduce_motion);  // the first click selected it
   }
 };
 
