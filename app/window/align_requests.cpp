@@ -54,7 +54,9 @@ JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome o
   const std::vector<std::string> notes = outcome.alignment.notes;
   m.execute(apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages)));
   tell_refusals(m);
-  for (const std::string& note : notes) m.notices.add(Severity::note, note);
+  Issues remarks;
+  for (const std::string& note : notes) remarks.push_back(Issue{Severity::note, "", 0, "", note, ""});
+  if (!remarks.empty()) m.notices.add(Severity::note, "How the surveys were aligned", remarks);
   m.view.mode = ui::ViewMode::map;
   const std::string sentence = sentence_of(m.document.state());
   if (!sentence.starts_with("0 ")) {

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <array>
+
 #include "ui/dialogs/modal.hpp"
 #include "ui/text/format.hpp"
 
@@ -9,37 +11,47 @@ namespace stemwise::ui {
 namespace {
 
 void draw_key_line(Widgets& w, const Action& a) {
-  const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(22));
+  const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(21));
   w.text_in({row.x, row.y, row.width - w.px(96), row.height}, a.label, TextRole::table, Tone::text);
   w.text_in(row, to_string(a.chord), TextRole::table, Tone::secondary, Align::right);
   ImGui::Dummy({row.width, row.height});
   w.record(std::string("keys/") + a.name, row, to_string(a.chord));
 }
 
-void draw_key_menu(Widgets& w, Menu menu) {
-  w.text(menu_label(menu), TextRole::strong);
-  for (const Action& a : all_actions()) {
-    if (a.menu == menu) draw_key_line(w, a);
+/// Where the second and the third column begin: after a third of the lines each, heads included.
+std::array<std::size_t, 4> column_starts() {
+  const std::size_t lines = action_count + 2 * menu_count;
+  std::array<std::size_t, 4> starts{0, action_count, action_count, action_count};
+  std::size_t line = 0, column = 1;
+  for (std::size_t i = 0; i < action_count; ++i) {
+    const bool head = i == 0 || all_actions()[i].menu != all_actions()[i - 1].menu;
+    line += head ? 3 : 1;
+    if (column < 3 && line > column * lines / 3) starts[column++] = i;
   }
-  w.gap(14);
+  return starts;
 }
 
 }  // namespace
 
 void draw_keys_sheet(Widgets& w, Frame& frame) {
   bool open = true;
-  const Modal modal(w, "All keys", 960.0f, 640.0f, open);
+  const Modal modal(w, "All keys", 980.0f, 650.0f, open);
   if (!open) frame.view.dialog = Dialog::none;
   if (!modal) return;
-  const Menu columns[3][4] = {{Menu::file, Menu::edit, Menu::align, Menu::help}, {Menu::view, Menu::view, Menu::view, Menu::view}, {Menu::review, Menu::export_, Menu::export_, Menu::export_}};
-  const int counts[] = {4, 1, 2};
+  const std::array<std::size_t, 4> starts = column_starts();
   const float width = (w.available_width() - w.px(48)) / 3.0f;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, w.px(1)});
-  for (int c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < 3; ++c) {
     if (c > 0) ImGui::SameLine(0, w.px(24));
-    ImGui::PushID(c);
+    ImGui::PushID(static_cast<int>(c));
     ImGui::BeginChild("column", {width, 0});
-    for (int k = 0; k < counts[c]; ++k) draw_key_menu(w, columns[c][k]);
+    for (std::size_t i = starts[c]; i < starts[c + 1]; ++i) {
+      const Action& a = all_actions()[i];
+      const bool head = i == starts[c] || a.menu != all_actions()[i - 1].menu;
+      if (head && i > starts[c]) w.gap(12);
+      if (head) w.text(menu_label(a.menu), TextRole::strong);
+      draw_key_line(w, a);
+    }
     ImGui::EndChild();
     ImGui::PopID();
   }

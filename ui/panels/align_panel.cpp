@@ -68,6 +68,7 @@ void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventor
   const ProjectState& state = frame.state();
   const auto it = state.alignments.find(inventory.id);
   const bool reference = inventory.id == state.reference;
+  w.gap(12);
   const Rect head = w.next_rect(w.available_width(), w.px(28));
   w.fill({head.x, head.y + w.px(6), w.px(4), w.px(16)}, inventory_color(state, inventory.id), w.px(2));
   if (w.area("align/survey/" + inventory.name, head, "")) frame.view.selected_inventory = inventory.id;

@@ -57,7 +57,7 @@ void InventoryDetails::draw_facts(Widgets& w, const Inventory& inventory) {
   w.gap(8);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   w.fact("details/format", "Format", inventory.source.format);
-  w.fact("details/file", "File", inventory.source.path, inventory.source.path);
+  if (!inventory.source.path.empty()) w.fact("details/file", "File", inventory.source.path, inventory.source.path);
   w.fact("details/stems", "Stems", count_text(static_cast<std::int64_t>(inventory.stems.size())));
   w.fact("details/dbh", "With a measured DBH", share(counts_.with_dbh));
   if (counts_.with_dbh > 0) w.fact("details/mean_dbh", "Mean DBH", dbh_text(counts_.mean_dbh_m) + " cm");
@@ -89,7 +89,7 @@ void InventoryDetails::draw_date(Widgets& w, Frame& frame, const Inventory& inve
 void InventoryDetails::draw_first_rows(Widgets& w, const Inventory& inventory) {
   w.section("First rows as understood");
   const char* names[] = {"Id", "x, m", "y, m", "DBH, cm", "Species"};
-  const float shares[] = {0.18f, 0.23f, 0.23f, 0.16f, 0.2f};
+  const float shares[] = {0.15f, 0.19f, 0.19f, 0.17f, 0.3f};
   const std::size_t rows = std::min<std::size_t>(inventory.stems.size(), 5);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t r = 0; r <= rows; ++r) {

@@ -12,9 +12,9 @@ namespace stemwise::ui {
 namespace {
 
 const std::vector<Column>& columns() {
-  static const std::vector<Column> all{{"Tree", 1.0f, false}, {"Earlier stem", 1.5f, false}, {"Later stem", 1.5f, false}, {"Distance, m", 0.9f, true},
-                                       {"DBH before, cm", 1.0f, true}, {"DBH after, cm", 1.0f, true}, {"Change, cm", 0.9f, true},
-                                       {"Per year, cm", 0.9f, true}, {"Change class", 1.1f, false}, {"Confidence", 0.9f, true, true}, {"State", 1.0f, false}};
+  static const std::vector<Column> all{{"Tree", 0.9f},           {"Earlier stem", 1.3f},   {"Later stem", 1.3f},     {"Distance, m", 1.1f, true},
+                                       {"cm before", 1.0f, true}, {"cm after", 0.9f, true}, {"Change, cm", 1.1f, true}, {"cm / year", 1.0f, true},
+                                       {"Class", 1.1f},           {"Confidence", 1.2f, true, true}, {"State", 1.0f}};
   return all;
 }
 

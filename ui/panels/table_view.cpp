@@ -14,9 +14,14 @@ void draw_head(Widgets& w, const TableView& table) {
     w.push_font(TextRole::caption);
     ImGui::PushStyleColor(ImGuiCol_Text, w.tokens().secondary.packed());
     ImGui::PushStyleColor(ImGuiCol_HeaderHovered, w.tokens().canvas.packed());
-    ImGui::TableHeader(table.columns[c].name.c_str());
+    // Numbers stand at the right, and so do their heads; the table draws its sorting arrow at the far right.
+    const bool number = table.columns[c].number;
+    const Rect head = w.next_rect(w.available_width(), w.px(20));
+    ImGui::TableHeader(number ? ("##" + table.columns[c].name).c_str() : table.columns[c].name.c_str());
     ImGui::PopStyleColor(2);
     w.pop_font();
+    const bool sorted = (ImGui::TableGetColumnFlags(static_cast<int>(c)) & ImGuiTableColumnFlags_IsSorted) != 0;
+    if (number) w.text_in({head.x, head.y, head.width - (sorted ? w.px(14) : 0.0f), head.height}, table.columns[c].name, TextRole::caption, Tone::secondary, Align::right);
     w.record_last(table.path + "/head/" + table.columns[c].name, table.columns[c].name);
   }
 }

@@ -68,7 +68,7 @@ void Fonts::load(float scale) {
       continue;
     }
     const bool bold = faces[i].semibold && std::filesystem::exists(family->semibold);
-    const float size_px = std::round(faces[i].size_pt * family->size_factor * scale * 2.0f) / 2.0f;
+    const float size_px = std::round(faces[i].size_pt * family->size_factor * scale);  // whole pixels: lines below each other stay sharp
     faces_[i] = atlas.AddFontFromFileTTF(bold ? family->semibold : family->regular, size_px, nullptr, text_ranges);
     merge_icons(atlas, size_px);
   }

@@ -25,7 +25,7 @@ void Widgets::draw_button(const Rect& rect, const std::string& label, const Butt
 
   Color ink = look.primary ? t.on_accent : look.active || look.quiet ? t.accent : t.text;
   if (!enabled) ink = t.faint;
-  const float pad = px(look.quiet ? 4 : 12);
+  const float pad = label.empty() ? 0.0f : px(look.quiet ? 4 : 12);
   const std::string shown = look.icon != nullptr ? std::string(look.icon) + (label.empty() ? "" : "  " + label) : label;
   const Rect inner{rect.x + pad, rect.y, rect.width - 2 * pad, rect.height};
   if (look.key.empty()) {
@@ -90,8 +90,8 @@ void Widgets::action_button_in(const Rect& rect, const std::string& path, Action
 bool Widgets::fold(const std::string& path, const std::string& label, bool& open) {
   const Rect row = next_rect(available_width(), px(28));
   if (area(path, row, open ? "open" : "closed")) open = !open;
-  text_in({row.x, row.y, px(14), row.height}, open ? icon::caret_down : icon::caret_right, TextRole::body, Tone::secondary);
-  text_in({row.x + px(16), row.y, row.width - px(16), row.height}, label, TextRole::strong, Tone::text);
+  text_in({row.x, row.y, px(18), row.height}, open ? icon::caret_down : icon::caret_right, TextRole::body, Tone::secondary);
+  text_in({row.x + px(18), row.y, row.width - px(18), row.height}, label, TextRole::strong, Tone::text);
   return open;
 }
 

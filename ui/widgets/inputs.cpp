@@ -33,7 +33,7 @@ bool Widgets::combo(const std::string& path, const std::vector<std::string>& ite
   if (hovered) fill(rect, tokens().hover, px(6));
   focus_ring(rect);
   text_in({rect.x + px(10), rect.y, rect.width - px(32), rect.height}, known ? items[static_cast<std::size_t>(current)] : "", TextRole::body, Tone::text);
-  text_in({rect.right() - px(22), rect.y, px(14), rect.height}, icon::caret_down, TextRole::caption, Tone::secondary, Align::center);
+  text_in({rect.right() - px(25), rect.y, px(18), rect.height}, icon::caret_down, TextRole::caption, Tone::secondary, Align::center);
   if (pressed) ImGui::OpenPopup("items");
   bool changed = false;
   ImGui::SetNextWindowPos({rect.x, rect.bottom() + px(2)});

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Makes the window's pictures of README and guide, without a display: tools/guide_pictures.sh [WIDTHxHEIGHT] [light|dark]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+size=${1:-1600x1000}
+theme=${2:-light}
+stemwise=build/release/bin/stemwise
+out=docs/guide/$theme-$size
+mkdir -p "$out"
+script=$(mktemp)
+trap 'rm -f "$script"' EXIT
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+screenshot $out/1-empty.png
+click empty/demo
+settle
+do step.inventories
+settle
+screenshot $out/2-inventories.png
+do step.align
+click align/run
+settle
+do step.align
+settle
+screenshot $out/3-align.png
+do step.review
+key N
+settle
+screenshot $out/4-review.png
+do view.mode
+settle
+screenshot $out/5-review-3d.png
+do view.mode
+click tabs/Matches
+settle
+screenshot $out/6-matches.png
+click tabs/Growth
+settle
+screenshot $out/7-growth.png
+do step.merge
+settle
+screenshot $out/8-merge.png
+do step.report
+click tabs/Jobs and notices
+settle
+screenshot $out/9-report.png
+do help.keys
+settle
+screenshot $out/10-keys.png
+END
+"$stemwise" gui --script "$script"
+echo "pictures in $out"
