@@ -12,10 +12,10 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 TEST(CommandLine, HelpAndVersionGoToStdoutAndSucceed) {
-  const Run version = run_stemwise({"--version"});
+  const ProgramRun version = run_stemwise({"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_THAT(version.out, HasSubstr("stemwise "));
-  const Run help = run_stemwise({"--help"});
+  const ProgramRun help = run_stemwise({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, HasSubstr("Exit codes"));
   EXPECT_EQ(help.err, "");
@@ -23,7 +23,7 @@ TEST(CommandLine, HelpAndVersionGoToStdoutAndSucceed) {
 
 TEST(CommandLine, EveryCommandHasHelpOfItsOwn) {
   for (const char* command : {"info", "convert", "align", "georeference", "merge", "export", "report", "snapshot", "evaluate", "simulate"}) {
-    const Run run = run_stemwise({command, "--help"});
+    const ProgramRun run = run_stemwise({command, "--help"});
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("--threads")) << command;
   }
@@ -34,7 +34,7 @@ TEST(CommandLine, BadUsageIsExitCode2AndSaysWhereHelpIs) {
                                                     {"info", "a.csv", "--threads", "none"}, {"info", "a.csv", "--no-such-option"},
                                                     {"georeference", "p.gpkg"}, {"snapshot", "p.gpkg", "-o", "p.png", "--size", "big"}};
   for (const auto& arguments : wrong) {
-    const Run run = run_stemwise(arguments);
+    const ProgramRun run = run_stemwise(arguments);
     EXPECT_EQ(run.code, 2) << arguments.front() << ": " << run.err;
     EXPECT_THAT(run.err, HasSubstr("--help"));
   }
@@ -42,7 +42,7 @@ TEST(CommandLine, BadUsageIsExitCode2AndSaysWhereHelpIs) {
 
 TEST(CommandLine, AnUnknownSettingIsBadUsageAndNamesTheNearestOne) {
   const Folder folder;
-  const Run run = run_stemwise({"simulate", "-o", folder / "out", "--set", "simulate.stem=5"});
+  const ProgramRun run = run_stemwise({"simulate", "-o", folder / "out", "--set", "simulate.stem=5"});
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, HasSubstr("simulate.stem"));
   EXPECT_FALSE(fs::exists(folder / "out"));
@@ -75,10 +75,10 @@ TEST(BrokenInputs, WhatHasNoUsableRowIsExitCode3WithItsNameAndNothingWritten) {
   const std::string good = folder.file("good.csv", "x,y,dbh\n1,2,30\n3,4,31\n5,6,20\n");
   for (const BrokenInput& input : broken) {
     const std::string path = folder.file(input.name, input.text);
-    const Run info = run_stemwise({"info", path});
+    const ProgramRun info = run_stemwise({"info", path});
     EXPECT_EQ(info.code, 3) << input.name << ": " << info.err;
     EXPECT_THAT(info.err, HasSubstr(input.name));
-    const Run align = run_stemwise({"align", good, path, "-o", folder / "project.gpkg", "--json", folder / "report.json"});
+    const ProgramRun align = run_stemwise({"align", good, path, "-o", folder / "project.gpkg", "--json", folder / "report.json"});
     EXPECT_EQ(align.code, 3) << input.name << ": " << align.err;
     EXPECT_FALSE(fs::exists(folder / "project.gpkg"));
     EXPECT_FALSE(fs::exists(folder / "report.json"));
@@ -91,7 +91,7 @@ TEST(BrokenInputs, AFolderThatIsNoneAndOneWithoutTrajectoryAreExitCode3) {
   fs::create_directories(folder.path() / "frames");
   folder.file("frames/TreeManagerState_0.csv", "location_x,location_y,dbh\n1,2,0.3\n");
   for (const char* name : {"plain", "frames", "missing"}) {
-    const Run run = run_stemwise({"info", folder / name});
+    const ProgramRun run = run_stemwise({"info", folder / name});
     EXPECT_EQ(run.code, 3) << name << ": " << run.err;
     EXPECT_THAT(run.err, HasSubstr(name));
   }
@@ -100,7 +100,7 @@ TEST(BrokenInputs, AFolderThatIsNoneAndOneWithoutTrajectoryAreExitCode3) {
 TEST(BrokenInputs, SomeBadRowsAreNamedByFileRowAndColumnAndTheRestIsRead) {
   const Folder folder;
   const std::string path = folder.file("mixed.csv", "id,x,y,dbh_cm\n1,1.0,2.0,30\n2,oops,2.0,31\n3,4.0,nan,20\n4,5.0,6.0,\n5,7.0,8.0,25\n");
-  const Run run = run_stemwise({"info", path, "--json", folder / "info.json"});
+  const ProgramRun run = run_stemwise({"info", path, "--json", folder / "info.json"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("mixed.csv, row 3, column x"));
   EXPECT_THAT(run.err, HasSubstr("mixed.csv, row 4, column y"));
@@ -158,10 +158,10 @@ class SmallProject : public ::testing::Test {
  protected:
   void SetUp() override {
     ASSERT_EQ(run_stemwise({"simulate", "-o", folder_ / "s", "--stems", "150", "--seed", "3", "--quiet"}).code, 0);
-    const Run run = align("project.gpkg", "report.json", {});
+    const ProgramRun run = align("project.gpkg", "report.json", {});
     ASSERT_EQ(run.code, 0) << run.err;
   }
-  Run align(const std::string& project, const std::string& json, const std::vector<std::string>& more) const {
+  ProgramRun align(const std::string& project, const std::string& json, const std::vector<std::string>& more) const {
     std::vector<std::string> arguments{"align", folder_ / "s/2015.csv", folder_ / "s/2019.csv", folder_ / "s/2023.csv", "-o", folder_ / project, "--json", folder_ / json, "--quiet"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_stemwise(arguments, "SOURCE_DATE_EPOCH=1700000000");
@@ -204,12 +204,12 @@ TEST_F(SmallProject, EveryResultIsWrittenFromTheProject) {
     EXPECT_GT(fs::file_size(folder_ / report), 1000u) << report;
   }
   for (const char* view : {"map", "3d"}) {
-    const Run run = run_stemwise({"snapshot", project, "-o", folder_ / "p.png", "--view", view, "--size", "640x400"});
+    const ProgramRun run = run_stemwise({"snapshot", project, "-o", folder_ / "p.png", "--view", view, "--size", "640x400"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_GT(fs::file_size(folder_ / "p.png"), 2000u);
   }
   for (const char* file : {"t.gpkg", "t.geojson", "t.csv"}) {
-    const Run run = run_stemwise({"export", project, "-o", folder_ / file});
+    const ProgramRun run = run_stemwise({"export", project, "-o", folder_ / file});
     EXPECT_EQ(run.code, 0) << file << run.err;
   }
   EXPECT_THAT(text_of(folder_ / "t.csv"), HasSubstr("tree_id"));
@@ -227,7 +227,7 @@ TEST(Align, TwoUnrelatedForestsAreRefusedWithTheReasonAndNoProject) {
   const Folder folder;
   ASSERT_EQ(run_stemwise({"simulate", "-o", folder / "a", "--years", "2015", "--stems", "120", "--seed", "1", "--quiet"}).code, 0);
   ASSERT_EQ(run_stemwise({"simulate", "-o", folder / "b", "--years", "2019", "--stems", "120", "--seed", "2", "--quiet"}).code, 0);
-  const Run run = run_stemwise({"align", folder / "a/2015.csv", folder / "b/2019.csv", "-o", folder / "p.gpkg", "--json", "-", "--quiet"});
+  const ProgramRun run = run_stemwise({"align", folder / "a/2015.csv", folder / "b/2019.csv", "-o", folder / "p.gpkg", "--json", "-", "--quiet"});
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_FALSE(fs::exists(folder / "p.gpkg"));
   const auto json = nlohmann::json::parse(run.out);
@@ -239,7 +239,7 @@ TEST(Align, TwoUnrelatedForestsAreRefusedWithTheReasonAndNoProject) {
 TEST(Interrupt, StopsTheWorkAndLeavesNothing) {
   const Folder folder;
   ASSERT_EQ(run_stemwise({"simulate", "-o", folder / "s", "--years", "2015,2019", "--stems", "4000", "--quiet"}).code, 0);
-  const Run run = interrupt_stemwise({"align", folder / "s/2015.csv", folder / "s/2019.csv", "-o", folder / "p.gpkg"});
+  const ProgramRun run = interrupt_stemwise({"align", folder / "s/2015.csv", folder / "s/2019.csv", "-o", folder / "p.gpkg"});
   EXPECT_EQ(run.code, 130) << run.err;
   EXPECT_FALSE(fs::exists(folder / "p.gpkg"));
   for (const auto& entry : fs::directory_iterator(folder.path())) EXPECT_EQ(entry.path().filename(), "s");

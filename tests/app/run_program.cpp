@@ -38,7 +38,7 @@ int open_for_writing(const std::string& path) { return open(path.c_str(), O_CREA
 
 }  // namespace
 
-Run run_stemwise(const std::vector<std::string>& arguments, const std::string& environment) {
+ProgramRun run_stemwise(const std::vector<std::string>& arguments, const std::string& environment) {
   const Folder folder;
   const int out = open_for_writing(folder / "out"), err = open_for_writing(folder / "err");
   const pid_t child = fork();
@@ -49,13 +49,13 @@ Run run_stemwise(const std::vector<std::string>& arguments, const std::string& e
   return {code, text_of(folder / "out"), text_of(folder / "err")};
 }
 
-Run interrupt_stemwise(const std::vector<std::string>& arguments) {
+ProgramRun interrupt_stemwise(const std::vector<std::string>& arguments) {
   int ends[2] = {-1, -1};
   if (pipe(ends) != 0) return {};
   const pid_t child = fork();
   if (child == 0) become_stemwise(arguments, "", ends[1], ends[1]);
   close(ends[1]);
-  Run run;
+  ProgramRun run;
   char letter = 0;
   bool sent = false;
   while (read(ends[0], &letter, 1) == 1) {

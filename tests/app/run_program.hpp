@@ -6,15 +6,15 @@
 namespace stemwise::testing {
 
 /// What a run of the built program said and how it ended.
-struct Run {
+struct ProgramRun {
   int code = -1;
   std::string out;
   std::string err;
 };
 
-Run run_stemwise(const std::vector<std::string>& arguments, const std::string& environment = "");
+ProgramRun run_stemwise(const std::vector<std::string>& arguments, const std::string& environment = "");
 /// Sends Ctrl+C when the program says its first line on stderr.
-Run interrupt_stemwise(const std::vector<std::string>& arguments);
+ProgramRun interrupt_stemwise(const std::vector<std::string>& arguments);
 
 /// A folder of its own, gone with it.
 class Folder {
