@@ -60,7 +60,7 @@ ctrl h   # an entry of the undo history says that the alignment is one
 await history/2 ! ""
 key Escape
 click tabs/Matches
-click matches/row/40
+click matches/row/3
 await review/tree ! ""
 tree=$(widget review/tree value)
 sleep 0.5
