@@ -3,7 +3,7 @@
 # unlink and relink, undo, export, check the file. Usage: xdotool_test.sh STEMWISE. Exit code 77: skipped, with the reason.
 set -euo pipefail
 stemwise=$1
-for tool in Xvfb xdotool ogrinfo python3; do
+for tool in Xvfb xdotool python3; do
   command -v "$tool" > /dev/null || { echo "SKIPPED: $tool is not installed"; exit 77; }
 done
 folder=$(mktemp -d)
@@ -60,7 +60,7 @@ ctrl h   # an entry of the undo history says that the alignment is one
 await history/2 ! ""
 key Escape
 click tabs/Matches
-click matches/row/40
+click matches/row/3
 await review/tree ! ""
 tree=$(widget review/tree value)
 sleep 0.5
@@ -85,5 +85,6 @@ sleep 0.5
 click export/run
 for _ in $(seq 300); do [ -s "$folder/out.gpkg" ] && break; sleep 0.1; done
 [ -s "$folder/out.gpkg" ] || fail "nothing was exported"
-ogrinfo -al -so "$folder/out.gpkg" | grep "Feature Count" || fail "the export cannot be read"
+"$stemwise" info "$folder/out.gpkg" || fail "the export cannot be read"
+if command -v ogrinfo > /dev/null; then ogrinfo -al -so "$folder/out.gpkg" | grep "Feature Count" || fail "GDAL cannot read the export"; fi
 echo "passed"
