@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -28,6 +29,7 @@ struct Prepared {
   RigidTransform level_from_inventory;  ///< turns about the list's own middle
   bool levelled = false;
   IndexedList list;
+  std::vector<double> node_height_m;    ///< of each node, upright; NaN where unknown
 };
 
 bool is_aligned(const InventoryAlignment& report) { return report.status == AlignmentStatus::reference || report.status == AlignmentStatus::aligned; }
@@ -59,7 +61,27 @@ Prepared prepare(const Inventory& inventory, const AlignSettings& settings, cons
     level.translation_m = middle - level.rotation * middle;
   }
   const auto stems = levelling.observed ? moved_stems(inventory, level) : inventory.stems;
-  return {&inventory, level, levelling.observed, IndexedList(nodes_for_search(inventory, stems, settings, hints))};
+  Prepared prepared{&inventory, level, levelling.observed, IndexedList(nodes_for_search(inventory, stems, settings, hints)), {}};
+  for (const auto& members : prepared.list.nodes.members)
+    prepared.node_height_m.push_back(stems[members.front()].z_m.value_or(std::numeric_limits<double>::quiet_NaN()));
+  return prepared;
+}
+
+/// How much higher the ground of `on` is than that of `k` where the pose joins their stems (median); 0 when unknown. Undoing
+/// a lean turns heights into places: metres of height must be right before.
+double height_step_m(const Prepared& on, const Prepared& k, const PlanarPose& on_from_k) {
+  constexpr double joined_m = 1.0;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < k.list.size(); ++i) {
+    const Eigen::Vector2d at = on_from_k * (k.list.nodes.at_m[i] + k.list.nodes.origin_m) - on.list.nodes.origin_m;
+    on.list.index.within(at, joined_m, [&](std::size_t j, double) {
+      if (const double step = on.node_height_m[j] - k.node_height_m[i]; std::isfinite(step)) steps.push_back(step);
+    });
+  }
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
 }
 
 /// All that a run carries from step to step.
@@ -152,7 +174,9 @@ class Run {
     if (!accepted && !better) return;
     const RigidTransform reference_from_on = result_.inventories[on].reference_from_inventory;
     const auto in_reference = [&](const PlanarPose& on_from_k) {
-      return reference_from_on * (prepared_[on].level_from_inventory.inverse() * (on_from_k.rigid() * prepared_[k].level_from_inventory));
+      RigidTransform upright = on_from_k.rigid();
+      if (prepared_[on].levelled || prepared_[k].levelled) upright.translation_m.z() = height_step_m(prepared_[on], prepared_[k], on_from_k);
+      return reference_from_on * (prepared_[on].level_from_inventory.inverse() * (upright * prepared_[k].level_from_inventory));
     };
     report.status = accepted ? AlignmentStatus::aligned : found.status;
     report.reason = accepted ? "" : found.reason;
