@@ -98,7 +98,8 @@ TEST(Report, CountsNewAndMissingStemsOfEveryStep) {
   EXPECT_EQ(model.growth[0].survivors, 380);
   EXPECT_GE(model.growth[0].new_stems, 17);  // those at the very edge count as outside the first survey's coverage
   EXPECT_LE(model.growth[0].new_stems, 20);
-  EXPECT_GE(model.growth[1].missing_stems, 17);
+  EXPECT_GE(model.growth[1].missing_stems, 15);  // likewise: 20 are gone, those at the edge are unresolved
+  EXPECT_LE(model.growth[1].missing_stems, 20);
   EXPECT_NEAR(model.growth[1].row.median_change_m, 0.015, 0.002);
 }
 
