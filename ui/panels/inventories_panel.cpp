@@ -164,11 +164,14 @@ void InventoriesPanel::draw_compare(Widgets& w, Frame& frame) {
   const bool first_hidden = frame.view.hidden.contains(first);
   const bool last_hidden = frame.view.hidden.contains(last);
   const int current = last_hidden && !first_hidden ? 0 : first_hidden && !last_hidden ? 2 : 1;
-  const std::array<std::string, 3> labels{survey_label(frame.state(), first), "Both", survey_label(frame.state(), last)};
+  const std::array<std::string, 3> names{survey_label(frame.state(), first), "Both", survey_label(frame.state(), last)};
   const float third = (row.width - w.px(70)) / 3.0f;
+  const bool fit = std::max(w.text_width(names[0], TextRole::strong), w.text_width(names[2], TextRole::strong)) < third - w.px(10);
+  const std::array<std::string, 3> labels = fit ? names : std::array<std::string, 3>{"Earlier", "Both", "Later"};
   for (int i = 0; i < 3; ++i) {
     const Rect rect{row.x + w.px(70) + third * static_cast<float>(i), row.y, third - w.px(2), row.height};
-    if (!w.button_in(rect, "view/compare/" + std::to_string(i), labels[static_cast<std::size_t>(i)], {.active = i == current})) continue;
+    if (!w.button_in(rect, "view/compare/" + std::to_string(i), labels[static_cast<std::size_t>(i)],
+                     {.active = i == current, .tooltip = i == 1 ? "Both surveys" : "Only " + names[static_cast<std::size_t>(i)]})) continue;
     frame.view.hidden.erase(first);
     frame.view.hidden.erase(last);
     if (i == 0) frame.view.hidden.insert(last);

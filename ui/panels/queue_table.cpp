@@ -69,7 +69,7 @@ void QueueTable::draw(Widgets& w, Frame& frame) {
   };
   TableView table;
   table.path = "queue";
-  table.columns = {{"Tree", 0.9f, false}, {"Doubt", 0.6f, true}, {head(1) + ", cm", 0.9f, true}, {head(0) + ", cm", 0.9f, true}, {"Change, cm", 0.8f, true}, {"Why", 3.2f, false}};
+  table.columns = {{"Tree", 0.8f, false}, {"Doubt", 0.6f, true}, {head(1) + ", cm", 1.15f, true}, {head(0) + ", cm", 1.15f, true}, {"Change, cm", 1.0f, true}, {"Why", 2.9f, false}};
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame, t.queue[rows_[row]], column); };
   table.selected = [&](std::size_t row) { return t.queue[rows_[row]].tree == frame.view.selected_tree; };

@@ -16,7 +16,7 @@ void draw_head(Widgets& w, const TableView& table) {
     ImGui::PushStyleColor(ImGuiCol_HeaderHovered, w.tokens().canvas.packed());
     // Numbers stand at the right, and so do their heads; the table draws its sorting arrow at the far right.
     const bool number = table.columns[c].number;
-    const Rect head = w.next_rect(w.available_width(), w.px(20));
+    const Rect head = w.next_rect(w.available_width(), w.line_height(TextRole::caption));
     ImGui::TableHeader(number ? ("##" + table.columns[c].name).c_str() : table.columns[c].name.c_str());
     ImGui::PopStyleColor(2);
     w.pop_font();

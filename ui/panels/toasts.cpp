@@ -27,10 +27,10 @@ void draw_toast(Widgets& w, Frame& frame, const Notice& notice, float right, flo
     if (w.button_in({head.right() - w.px(22), head.y, w.px(22), w.px(22)}, "toast/dismiss/" + std::to_string(notice.id), "", {.quiet = true, .icon = icon::cross})) {
       frame.requests.emit(request::DismissNotice{notice.id});
     }
-    for (std::size_t i = 0; i < std::min<std::size_t>(notice.details.size(), 2); ++i) w.paragraph(to_string(notice.details[i]), TextRole::table, Tone::secondary);
-    if (notice.details.size() > 2) {
-      w.text("and " + std::to_string(notice.details.size() - 2) + " more under Jobs and notices", TextRole::table, Tone::secondary);
-    }
+    // A mere note does not cover the map: its details are in the table below.
+    const std::size_t lines = notice.severity == Severity::note ? 0 : std::min<std::size_t>(notice.details.size(), 2);
+    for (std::size_t i = 0; i < lines; ++i) w.paragraph(to_string(notice.details[i]), TextRole::table, Tone::secondary);
+    if (notice.details.size() > lines) w.text("more under Jobs and notices", TextRole::table, Tone::secondary);
     bottom -= ImGui::GetWindowHeight() + w.px(8);
   }
   ImGui::End();

@@ -25,7 +25,7 @@ void Widgets::draw_button(const Rect& rect, const std::string& label, const Butt
 
   Color ink = look.primary ? t.on_accent : look.active || look.quiet ? t.accent : t.text;
   if (!enabled) ink = t.faint;
-  const float pad = label.empty() ? 0.0f : px(look.quiet ? 4 : 12);
+  const float pad = label.empty() ? 0.0f : px(look.quiet || rect.width < px(64) ? 4 : 12);
   const std::string shown = look.icon != nullptr ? std::string(look.icon) + (label.empty() ? "" : "  " + label) : label;
   const Rect inner{rect.x + pad, rect.y, rect.width - 2 * pad, rect.height};
   if (look.key.empty()) {
