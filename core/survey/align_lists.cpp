@@ -50,15 +50,15 @@ void keep_distinct(std::vector<ScoredPose>& best, const ScoredPose& found) {
 }
 
 ScoredPose fit_in_scene(const Search& s, const Scene& scene, const PlanarPose& pose, const DbhModel& model) {
-  PoseFit fit = refine_pose(s.a, scene.nodes, s.b, {pose, start_sigma_in_cells * scene.cell_m, model, 0.0}, s.settings.noise_floor_m);
+  PoseFit fit = refine_pose(s.a, scene.nodes, s.b, {pose, start_sigma_in_cells * vote_cell_m(scene, s.b), model, 0.0}, s.settings.noise_floor_m);
   fit.dbh = refit_dbh(s.a, scene.nodes, s.b, fit);
   fit = refine_pose(s.a, scene.nodes, s.b, fit, s.settings.noise_floor_m);
   return {fit, score_pose(s.a, s.b, fit, scene.whole_list ? nullptr : &scene)};
 }
 
 /// Votes, refines every peak in its scene, then the best of them on the whole list.
-void search_scene(Search& s, const Scene& scene, const DbhModel& model, const std::vector<PlanarPose>& proposals, const Progress& progress) {
-  std::vector<PlanarPose> starts = proposals;
+void search_scene(Search& s, const Scene& scene, const DbhModel& model, const Progress& progress) {
+  std::vector<PlanarPose> starts;
   for (const PosePeak& peak : vote_poses(s.a, scene, s.b, model, s.vote, progress)) starts.push_back(peak.b_from_a);
   std::vector<ScoredPose> in_scene(starts.size());
   parallel_for(starts.size(), s.vote.threads, [&](std::size_t k) {
@@ -105,13 +105,12 @@ struct SearchPlan {
 };
 
 /// Goes through scenes and models; stops early once a pose is overwhelming. Returns how many scenes were asked.
-std::size_t search_all(Search& s, const SearchPlan& plan, std::size_t scene_limit, bool may_stop, const std::vector<PlanarPose>& proposals, const Progress& progress,
-                       const std::string& text) {
+std::size_t search_all(Search& s, const SearchPlan& plan, std::size_t scene_limit, bool may_stop, const Progress& progress, const std::string& text) {
   const std::size_t count = std::min(scene_limit, plan.scenes.size());
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t m = 0; m < plan.bank.size(); ++m) {
       progress.at(static_cast<double>(k * plan.bank.size() + m) / static_cast<double>(count * plan.bank.size()), text);
-      search_scene(s, plan.scenes[k], plan.bank[m], k == 0 ? proposals : std::vector<PlanarPose>{}, progress);
+      search_scene(s, plan.scenes[k], plan.bank[m], progress);
       const double lead = best_of(s.best, 0) - best_of(s.best, 1);
       if (may_stop && best_of(s.best, 0) - plan.log_poses >= overwhelming && lead >= 0.5 * best_of(s.best, 0)) return k + 1;
     }
@@ -151,7 +150,7 @@ double mirror_score(const IndexedList& a, const IndexedList& b, const SearchPlan
   for (Scene& scene : mirrored_plan.scenes) scene = mirrored_scene(scene);
   vote.window.reset();  // where a rough pose is known, chance is still measured everywhere
   Search search{decoy, b, settings, vote, {}, 0};
-  search_all(search, mirrored_plan, scenes, false, {}, progress, "searching poses of the mirror image");
+  search_all(search, mirrored_plan, scenes, false, progress, "searching poses of the mirror image");
   return best_of(search.best, 0);
 }
 
@@ -283,7 +282,7 @@ ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const Li
   }
   const bool settled = verify_proposals(search, plan, hints.proposals, progress.stage(0.0, 0.1));
   if (settled) plan.bank = {search.best[0].fit.dbh};  // one scene, one model: what chance and the second choice can do here
-  const std::size_t scenes = search_all(search, plan, settled ? 1 : plan.scenes.size(), !settled, {}, progress.stage(0.1, 0.6), "searching poses");
+  const std::size_t scenes = search_all(search, plan, settled ? 1 : plan.scenes.size(), !settled, progress.stage(0.1, 0.6), "searching poses");
   const std::size_t mirror_scenes = settled ? scenes : std::max(scenes, mirror_scenes_at_least);
   const double mirror = mirror_score(a, b, plan, mirror_scenes, settings, search.vote, progress.stage(0.6, 1.0));
   fill_acceptance(result, search, mirror, plan.log_poses);

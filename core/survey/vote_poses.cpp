@@ -41,11 +41,10 @@ struct CellPeak {
   }
 };
 
-Grid grid_for(const Scene& scene, const IndexedList& b, double cell_m) {
+Grid grid_for(const Scene& scene, const IndexedList& b) {
   Grid grid;
-  constexpr double most_cells = 4e6;
   const Eigen::Vector2d size = (b.high_m - b.low_m).array() + 2.0 * scene.radius_m;
-  grid.cell_m = std::max(cell_m, std::sqrt(size.x() * size.y() / most_cells));
+  grid.cell_m = vote_cell_m(scene, b);
   grid.low_m = b.low_m.array() - scene.radius_m - 2.0 * grid.cell_m;
   grid.columns = static_cast<int>(size.x() / grid.cell_m) + 6;
   grid.rows = static_cast<int>(size.y() / grid.cell_m) + 6;
@@ -238,9 +237,16 @@ std::vector<PosePeak> distinct_peaks(std::vector<CellPeak> found, const Grid& gr
 
 }  // namespace
 
+double vote_cell_m(const Scene& scene, const IndexedList& b) {
+  constexpr double most_cells = 4e6, most_cells_and_yaws = 4e8;
+  const Eigen::Vector2d size = (b.high_m - b.low_m).array() + 2.0 * scene.radius_m;
+  const double area_sq_m = size.x() * size.y();
+  return std::max({scene.cell_m, std::sqrt(area_sq_m / most_cells), std::cbrt(area_sq_m * 2.0 * std::numbers::pi * scene.radius_m / most_cells_and_yaws)});
+}
+
 std::vector<PosePeak> vote_poses(const IndexedList& a, const Scene& scene, const IndexedList& b, const DbhModel& model, const VoteSettings& settings, const Progress& progress) {
   if (scene.nodes.size() < 2 || b.size() < 2) return {};
-  const Grid grid = grid_for(scene, b, scene.cell_m);
+  const Grid grid = grid_for(scene, b);
   const auto voters = voters_of(a, scene, b, model, grid);
   const Chance chance = chance_of(voters, grid, settings, progress);
   const auto yaws = yaws_to_try(scene, grid.cell_m, settings.window);

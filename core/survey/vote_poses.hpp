@@ -27,6 +27,9 @@ struct VoteSettings {
   std::optional<PoseWindow> window;
 };
 
+/// The cell of the vote: the scene's own, or larger where a few stray stems would make the search endless.
+double vote_cell_m(const Scene& scene, const IndexedList& b);
+
 /// Step 4 of stem-lists.md: every pair of stems whose diameters could be one stem's votes for the shift that joins them, at
 /// every yaw; cells are ranked by how far their votes exceed what other yaws put there. Best first. Throws Cancelled.
 std::vector<PosePeak> vote_poses(const IndexedList& a, const Scene& scene, const IndexedList& b, const DbhModel& model,
