@@ -16,9 +16,9 @@ void add_export(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   CLI::App& command = add_command(root, common, "export", "Layers of a project for other programs; the suffix says the format");
   const auto options = std::make_shared<ExportCommandOptions>();
   command.add_option("PROJECT", options->project, "Project file")->required();
-  command.add_option("-o,--output", options->output, "File to write: gpkg, geojson, csv, tsv, shp, fgb, kml, gpx, dxf, xlsx, ods")->required();
+  command.add_option("-o,--output", options->output, "File to write: gpkg, geojson, csv, tsv, shp, fgb, kml, kmz, gpx, dxf, xlsx, ods")->required();
   command.add_option("--layer", options->layer,
-                     "trees (default), observations, matches, links, inventories or coverage; GPKG and XLSX take all when none is named");
+                     "trees (default), observations, matches, links, inventories, coverage, or forestgeo (census tables); GPKG, XLSX and ODS take all but forestgeo when none is named");
   command.add_option("--crs", options->crs, "EPSG:N (default: that of the georeference, else local coordinates)");
   command.add_flag("--decimal-comma", options->decimal_comma, "1,5 instead of 1.5 in CSV");
   command.add_option("--delimiter", options->delimiter, "Between the fields of CSV (default: comma)");
@@ -26,13 +26,32 @@ void add_export(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
 }
 
 void add_report(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
-  CLI::App& command = add_command(root, common, "report", "Growth report of a project: .html, .pdf or .csv");
+  CLI::App& command = add_command(root, common, "report", "Growth report of a project: .pdf, .html, .xlsx or .csv");
   const auto options = std::make_shared<ReportCommandOptions>();
   command.add_option("PROJECT", options->project, "Project file")->required();
   command.add_option("-o,--output", options->output, "The report to write; the suffix says the format")->required();
   command.add_option("--area-ha", options->area_ha, "Area behind the per-hectare figures (default: each survey's coverage)");
   command.add_option("--class-width-cm", options->class_width_cm, "Width of the DBH classes (default 5)")->check(CLI::Range(0.5, 100.0));
+  command.add_option("--rules", options->rules, "Flag implausible growth: ctfs, forestgeo, scbi, treedata, lidar, none, or a JSON file of own rules; kept in the project");
+  command.add_flag("--field-check", options->field_check, "The sheet to take outside in place of the report: doubtful trees from the three nearest sure ones; also .gpx");
+  command.add_option("--field-check-trees", options->field_check_trees, "How many trees at most (default 100)")->check(CLI::Range(1, 100000));
   command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_report(*options, session); }; });
+}
+
+void add_georeference_details(CLI::App& command, GeoreferenceOptions& options) {
+  command.add_flag("--translation-only", options.translation_only, "With --control: keep the azimuth that --azimuth gives (one point is enough)");
+  command.add_option("--azimuth", options.azimuth_deg, "Degrees clockwise from north to the reference's +y axis");
+  command.add_option("--azimuth-kind", options.azimuth_kind, "North that the azimuth counts from: true (default), grid (of the UTM zone) or magnetic");
+  command.add_option("--declination", options.declination_deg, "Magnetic declination in degrees, east positive (default: a magnetic model, on the reference's day)");
+  command.add_option("--magnetic-model", options.magnetic_model, "GeographicLib's magnetic model (default wmm2020), where its data is installed");
+  command.add_option("--geoid", options.geoid, "Heights are above this geoid, not the ellipsoid: a model of GeographicLib (egm2008-5) or a grid of PROJ (egm96_15.gtx)");
+  command.add_flag("--level", options.level, "With --control: the reference's z is the vertical (default: decided by the points' heights)");
+  command.add_flag("--tilted", options.tilted, "With --control: the reference leans; three points with heights tell how");
+  command.add_option("--inventory", options.inventory, "Inventory whose coordinates --crs names, or whose trajectory --gnss follows (default: the reference)");
+  command.add_option("--trajectory", options.trajectory, "With --gnss: the trajectory file (default: that of the inventory's frame folder)");
+  command.add_option("--time-offset-s", options.time_offset_s, "With --gnss: added to the track's time stamps");
+  command.add_option("--sd-m", options.sd_m, "With --anchor and --crs: how well the position is known, one axis")->check(CLI::NonNegativeNumber);
+  command.add_option("--outlier-m", options.outlier_m, "With --control: points farther than this from the others' agreement are left out (default 3)")->check(CLI::PositiveNumber);
 }
 
 void add_georeference(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
@@ -42,8 +61,10 @@ void add_georeference(CLI::App& root, CommonOptions& common, ChosenCommand& chos
   CLI::Option_group& by = *command.add_option_group("Placed by", "Exactly one of these");
   by.add_option("--control", options->control, "CSV of control points: x_m, y_m, z_m (or tree_id), lon, lat, height_m");
   by.add_option("--anchor", options->anchor, "LAT,LON,H,AZIMUTH of the reference's origin and of its +y axis");
-  by.add_option("--crs", options->crs, "EPSG:N, when the reference's coordinates are already those of a map");
+  by.add_option("--gnss", options->gnss, "CSV of a GNSS track: timestamp, lat, lon, height_m, sd_m, joined to the trajectory by time");
+  by.add_option("--crs", options->crs, "EPSG:N, when the coordinates are already those of a map");
   by.require_option(1);
+  add_georeference_details(command, *options);
   command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_georeference(*options, session); }; });
 }
 

@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> EarthFrame::target_from_reference(const Eigen::Ve
     case GeoreferenceKind::anchor: break;
   }
   const Geodetic g = stemwise::geodetic_from_reference(impl_->georeference, point_m);
-  return (*impl_->target_from_source)({g.longitude_deg, g.latitude_deg, g.height_m});
+  return (*impl_->target_from_source)({g.longitude_deg, g.latitude_deg, g.height_m - geoid_height_m(impl_->georeference, g)});
 }
 
 std::optional<Geodetic> EarthFrame::geodetic_from_reference(const Eigen::Vector3d& point_m) const {
@@ -61,7 +61,18 @@ std::optional<Geodetic> EarthFrame::geodetic_from_reference(const Eigen::Vector3
   }
   const auto p = (*impl_->wgs84_from_source)(point_m);
   if (!p) return std::nullopt;
-  return Geodetic{p->y(), p->x(), p->z()};
+  Geodetic g{p->y(), p->x(), p->z()};
+  g.height_m += geoid_height_m(impl_->georeference, g);
+  return g;
+}
+
+double EarthFrame::given_height_m(const Geodetic& point) const { return point.height_m - geoid_height_m(impl_->georeference, point); }
+std::string EarthFrame::height_datum() const {
+  const std::string& geoid = impl_->georeference.geoid.name;
+  return geoid.empty() ? "the ellipsoid" : "the geoid " + geoid;
+}
+double EarthFrame::position_sd_m(const Eigen::Vector3d& point_m, double sd_in_reference_m) const {
+  return position_sd_on_earth_m(impl_->georeference, point_m, sd_in_reference_m);
 }
 
 }  // namespace stemwise

@@ -5,10 +5,14 @@
 #include <filesystem>
 
 #include "io/crs.hpp"
+#include "io/export_about.hpp"
 #include "io/gdal_session.hpp"
+#include "io/keep_layers.hpp"
 #include "io/layer_text.hpp"
 #include "io/replace_file.hpp"
+#include "io/read_whole_file.hpp"
 #include "io/write_layers.hpp"
+#include "io/zip_file.hpp"
 
 namespace stemwise {
 namespace {
@@ -34,6 +38,7 @@ const std::vector<Format>& formats() {
                                            {".shp", "ESRI Shapefile", false, false, true},
                                            {".fgb", "FlatGeobuf"},
                                            {".kml", "KML", false, true, true},
+                                           {".kmz", "KML", false, true, true},
                                            {".gpx", "GPX", false, true, true},
                                            {".dxf", "DXF", false, false, true},
                                            {".xlsx", "XLSX", true},
@@ -57,40 +62,6 @@ Result<Done> named(Issues issues, const std::string& path) {
     if (issue.file.empty()) issue.file = path;
   }
   return Result<Done>::failure(std::move(issues));
-}
-
-/// Key and value of everything that an export should say about itself.
-Layer about(const ProjectState& state, const EarthFrame& frame) {
-  Layer layer;
-  layer.name = "metadata";
-  layer.title = "About this export";
-  layer.columns = {{"key", ColumnType::text, 0, {}}, {"value", ColumnType::text, 0, {}}};
-  const auto add = [&layer](std::string key, std::string value) { layer.features.push_back({{std::move(key), std::move(value)}, {}}); };
-  add("software", "Stemwise");
-  add("project", state.title);
-  add("coordinate_system", frame.epsg() ? crs_name(*frame.epsg()) + " (EPSG:" + std::to_string(*frame.epsg()) + ")" : "local, reference's frame, m");
-  add("georeference", state.georeference.method);
-  add("fusion", to_string(state.fusion));
-  if (const Inventory* reference = state.find(state.reference)) add("reference", reference->name);
-  for (const auto& [id, a] : state.alignments) {
-    const Inventory* inventory = state.find(id);
-    if (inventory == nullptr || id == state.reference) continue;
-    add("alignment of " + inventory->name, std::string(to_string(a.status)) + ", matched " + std::to_string(a.matched) + ", residual RMS " +
-                                                std::to_string(a.residual_rms_m) + " m, overlap " + std::to_string(a.overlap));
-  }
-  for (const auto& [key, value] : state.settings) add("setting " + key, value);
-  return layer;
-}
-
-Layer data_dictionary(const std::vector<Layer>& layers) {
-  Layer dictionary;
-  dictionary.name = "data_dictionary";
-  dictionary.title = "What every column means";
-  dictionary.columns = {{"layer", ColumnType::text, 0, {}}, {"column", ColumnType::text, 0, {}}, {"meaning", ColumnType::text, 0, {}}};
-  for (const Layer& layer : layers) {
-    for (const LayerColumn& column : layer.columns) dictionary.features.push_back({{layer.name, column.name, column.description}, {}});
-  }
-  return dictionary;
 }
 
 /// GPX knows waypoints with a name and a description only.
@@ -138,7 +109,9 @@ Result<std::vector<Layer>> layers_for(const ProjectState& state, const Format& f
   if (!options.layer && format.every_layer) layers = project_layers(state, tables, *frame);
   else layers.push_back(project_layer(options.layer.value_or(LayerKind::trees), state, tables, *frame));
   if (format.wgs84 && *frame->epsg() != wgs84_epsg) {
-    const auto earth = EarthFrame::of(state.georeference, wgs84_epsg);
+    Georeference ellipsoidal = state.georeference;  // heights of these formats are above the ellipsoid (RFC 7946, section 4)
+    ellipsoidal.geoid = {};
+    const auto earth = EarthFrame::of(ellipsoidal, wgs84_epsg);
     if (!earth) return Layers::failure(earth.issues);
     const LayerKind kind = options.layer.value_or(LayerKind::trees);
     if (!take_geometry(layers.front(), project_layer(kind, state, tables, *earth))) {
@@ -149,11 +122,12 @@ Result<std::vector<Layer>> layers_for(const ProjectState& state, const Format& f
     return Layers::failure(Issue{Severity::error, {}, 0, {}, "layer " + layers.front().name + " has no geometry and cannot be written as " + format.suffix,
                                  "export .csv, .xlsx or .gpkg"});
   }
+  if (format.needs_geometry) std::erase_if(layers.front().features, [](const LayerFeature& f) { return f.corners.empty(); });
   if (format.suffix == ".gpx") layers.front() = waypoints(layers.front());
   if (layers.size() > 1) {
     const Layer dictionary = data_dictionary(layers);
     layers.push_back(dictionary);
-    layers.push_back(about(state, *frame));
+    layers.push_back(about_layer(state, *frame, options.software));
   }
   return layers;
 }
@@ -186,6 +160,9 @@ Issues write_dataset(const Format& format, const std::vector<Layer>& layers, con
   if (transaction) dataset->StartTransaction();
   for (const Layer& layer : layers) {
     if (Issues issues = write_layer(*dataset, layer, layer_options(format)); !issues.empty()) return issues;
+  }
+  if (format.suffix == ".gpkg") {
+    if (Issues issues = write_layer_styles("", *dataset); has_error(issues)) return issues;
   }
   if (transaction && dataset->CommitTransaction() != OGRERR_NONE) return failure("the file is not complete");
   dataset.reset();
@@ -221,6 +198,43 @@ const std::vector<std::string>& export_suffixes() {
   return suffixes;
 }
 
+namespace {
+
+/// KML in a zip, as doc.kml.
+Result<Done> write_kmz(const Format& format, const std::vector<Layer>& layers, const std::string& path, GdalMessages& messages) {
+  const std::string temporary = temporary_beside(path) + ".kml";
+  std::error_code ignored;
+  Issues issues = write_dataset(format, layers, temporary, messages);
+  const auto bytes = issues.empty() ? read_whole_file(temporary) : std::nullopt;
+  Result<Done> done = bytes ? write_zip(path, {{"doc.kml", std::string(bytes->text())}}) : named(std::move(issues), path);
+  fs::remove(temporary, ignored);
+  return done;
+}
+
+Result<Done> write_layers(const Format& format, const std::vector<Layer>& layers, const std::string& path, const ExportOptions& options, GdalMessages& messages) {
+  if (std::string_view(format.driver).empty()) {
+    TextTableStyle style;
+    style.decimal_comma = options.decimal_comma;
+    style.delimiter = options.delimiter.value_or(format.suffix == ".tsv" ? '\t' : options.decimal_comma ? ';' : ',');
+    return write_text_file(path, (options.decimal_comma ? "\xEF\xBB\xBF" : "") + layer_text(layers.front(), style));
+  }
+  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
+  const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
+  if (format.suffix == ".shp") return write_several_files(format, layers, path, messages);
+  if (format.suffix == ".kmz") return write_kmz(format, layers, path, messages);
+  const std::string temporary = temporary_beside(path);
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  if (Issues issues = write_dataset(format, layers, temporary, messages); !issues.empty()) {
+    fs::remove(temporary, ignored);
+    fs::remove(temporary + "-journal", ignored);
+    return named(std::move(issues), path);
+  }
+  return replace_file(temporary, path);
+}
+
+}  // namespace
+
 Result<Done> export_layer(const ProjectState& state, const std::string& path, const ExportOptions& options) {
   const Format* format = format_of(path);
   if (format == nullptr) {
@@ -231,24 +245,10 @@ Result<Done> export_layer(const ProjectState& state, const std::string& path, co
   GdalMessages messages;
   auto layers = layers_for(state, *format, options);
   if (!layers) return named(std::move(layers.issues), path);
-  if (std::string_view(format->driver).empty()) {
-    TextTableStyle style;
-    style.decimal_comma = options.decimal_comma;
-    style.delimiter = options.delimiter.value_or(format->suffix == ".tsv" ? '\t' : options.decimal_comma ? ';' : ',');
-    return write_text_file(path, layer_text(layers->front(), style));
-  }
-  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
-  const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
-  if (format->suffix == ".shp") return write_several_files(*format, *layers.value, path, messages);
-  const std::string temporary = temporary_beside(path);
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  if (Issues issues = write_dataset(*format, *layers.value, temporary, messages); !issues.empty()) {
-    fs::remove(temporary, ignored);
-    fs::remove(temporary + "-journal", ignored);
-    return named(std::move(issues), path);
-  }
-  return replace_file(temporary, path);
+  Result<Done> done = write_layers(*format, *layers.value, path, options, messages);
+  if (!done || layers->size() > 1) return done;
+  const auto frame = EarthFrame::of(state.georeference, options.epsg);
+  return write_text_file(path + ".about.txt", about_text(state, *frame, options.software, layers->front(), format->suffix == ".shp"));
 }
 
 }  // namespace stemwise

@@ -1,15 +1,17 @@
 #include "io/project_layers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
 #include "io/crs.hpp"
 #include "io/exact_number.hpp"
+#include "io/forestgeo_layer.hpp"
 
 namespace stemwise {
 namespace {
 
-constexpr std::array<const char*, layer_kind_count> layer_words = {"trees", "observations", "matches", "links", "inventories", "coverage"};
+constexpr std::array<const char*, layer_kind_count + 1> layer_words = {"trees", "observations", "matches", "links", "inventories", "coverage", "forestgeo"};
 constexpr double unknown_height = std::numeric_limits<double>::quiet_NaN();
 constexpr int metre_decimals = 4;
 constexpr int degree_decimals = 9;  // 0.1 mm on the ground
@@ -41,9 +43,10 @@ class LayerMaker {
       case LayerKind::matches: return matches(false);
       case LayerKind::links: return matches(true);
       case LayerKind::inventories: return inventories();
-      case LayerKind::coverage: break;
+      case LayerKind::coverage: return coverage();
+      case LayerKind::forestgeo: break;
     }
-    return coverage();
+    return forestgeo_layer(state_, tables_);
   }
 
  private:
@@ -62,7 +65,7 @@ class LayerMaker {
     const std::string where = frame_.epsg() ? "in " + crs_name(*frame_.epsg()) : "in the reference's frame, m";
     l.columns.push_back(real_column("x", coordinate_decimals(), "easting or longitude " + where));
     l.columns.push_back(real_column("y", coordinate_decimals(), "northing or latitude " + where));
-    l.columns.push_back(real_column("z", metre_decimals, "height of the stem's base, m; empty when unknown"));
+    l.columns.push_back(real_column("z", metre_decimals, "height of the stem's base" + (frame_.epsg() ? " above " + frame_.height_datum() : std::string()) + ", m; empty when unknown"));
   }
 
   /// x, y, z of a point, and its corner.
@@ -94,8 +97,8 @@ class LayerMaker {
     add_xyz(l);
     l.columns.push_back(real_column("lon", degree_decimals, "longitude, WGS 84, degrees"));
     l.columns.push_back(real_column("lat", degree_decimals, "latitude, WGS 84, degrees"));
-    l.columns.push_back(real_column("height", metre_decimals, "height above the ellipsoid, m"));
-    l.columns.push_back(real_column("position_sd_m", 3, "planar standard deviation of the position, m"));
+    l.columns.push_back(real_column("height", metre_decimals, "height above " + frame_.height_datum() + ", m"));
+    l.columns.push_back(real_column("position_sd_m", 3, "standard deviation of the position, one axis, with that of the georeference, m"));
     l.columns.push_back(real_column("dbh_cm", 2, "diameter at breast height by the fusion policy, cm"));
     l.columns.push_back(text_column("dbh_source", "inventory the diameter comes from"));
     l.columns.push_back(text_column("species", "species as the inventories name it"));
@@ -120,8 +123,8 @@ class LayerMaker {
     const auto g = frame_.geodetic_from_reference(row.position_m);
     f.values.push_back(g ? LayerValue(g->longitude_deg) : LayerValue());
     f.values.push_back(g ? LayerValue(g->latitude_deg) : LayerValue());
-    f.values.push_back(g && row.has_z ? LayerValue(g->height_m) : LayerValue());
-    f.values.insert(f.values.end(), {LayerValue(row.position_sd_m), cm(row.dbh_m), LayerValue(name(row.dbh_source)), LayerValue(row.species),
+    f.values.push_back(g && row.has_z ? LayerValue(frame_.given_height_m(*g)) : LayerValue());
+    f.values.insert(f.values.end(), {LayerValue(frame_.position_sd_m(row.position_m, row.position_sd_m)), cm(row.dbh_m), LayerValue(name(row.dbh_source)), LayerValue(row.species),
                                      LayerValue(to_string(row.fate)), LayerValue(name(row.first_seen)), LayerValue(name(row.last_seen)),
                                      LayerValue(std::int64_t{row.times_seen})});
     for (std::size_t i = 0; i < tables_.inventories.size(); ++i) {
@@ -152,7 +155,21 @@ class LayerMaker {
                                        LayerValue(joined(row.flags))});
       l.features.push_back(std::move(f));
     }
+    add_unplaced(l);
     return l;
+  }
+
+  /// Stems of inventories that were not aligned: they have no place in the common frame, but they were observed.
+  void add_unplaced(Layer& l) const {
+    for (const auto& inventory : state_.inventories) {
+      if (std::find(tables_.inventories.begin(), tables_.inventories.end(), inventory->id) != tables_.inventories.end()) continue;
+      for (const Stem& stem : inventory->stems) {
+        LayerFeature f;
+        f.values = {LayerValue(), LayerValue(inventory->name), LayerValue(stem.source_id), LayerValue(), LayerValue(), LayerValue(), cm(stem.dbh_m), LayerValue(),
+                    LayerValue(to_string(Fate::unresolved)), LayerValue(), LayerValue(), LayerValue("not_aligned")};
+        l.features.push_back(std::move(f));
+      }
+    }
   }
 
   Layer matches(bool as_links) const {

@@ -7,8 +7,9 @@
 
 namespace stemwise {
 
-enum class LayerKind { trees, observations, matches, links, inventories, coverage };
-inline constexpr std::size_t layer_kind_count = 6;
+/// `forestgeo` is made only when it is asked for by name.
+enum class LayerKind { trees, observations, matches, links, inventories, coverage, forestgeo };
+inline constexpr std::size_t layer_kind_count = 6;  ///< those of a project and of "every layer"
 const char* to_string(LayerKind kind);
 std::optional<LayerKind> layer_kind_from(std::string_view word);
 

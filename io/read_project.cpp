@@ -111,6 +111,22 @@ class StateReader {
     g.sd_m = n[7];
     g.epsg = static_cast<int>(whole(value("georeference_epsg"), "georeference_epsg"));
     g.method = value("georeference_method");
+    georeference_detail(g);
+  }
+
+  /// What files of older versions do not have.
+  void georeference_detail(Georeference& g) {
+    if (!values_.contains("georeference_detail")) return;
+    const std::vector<double> n = numbers(value("georeference_detail"), 6, "the georeference");
+    g.roll_deg = n[0];
+    g.pitch_deg = n[1];
+    g.azimuth_sd_deg = n[2];
+    g.geoid = {value("georeference_geoid"), n[3], n[4], n[5]};
+    for (const std::string& line : lines_of(value("georeference_residuals"))) {
+      const std::size_t tab = line.find('\t');
+      const std::vector<double> r = numbers(line.substr(0, tab), 3, "a residual of the georeference");
+      g.residuals.push_back({tab == std::string::npos ? "" : line.substr(tab + 1), r[1], r[2] < 0.0 ? std::nullopt : std::optional(r[2]), r[0] != 0.0});
+    }
   }
 
   void inventories() {

@@ -6,6 +6,7 @@
 #include "io/earth_frame.hpp"
 #include "io/exact_number.hpp"
 #include "io/gdal_session.hpp"
+#include "io/keep_layers.hpp"
 #include "io/project_file.hpp"
 #include "io/project_layers.hpp"
 #include "io/project_tables.hpp"
@@ -37,6 +38,20 @@ std::string lines(const std::vector<std::string>& notes) {
 }
 
 std::optional<std::int64_t> days(const std::optional<Date>& date) { return date ? std::optional<std::int64_t>(date->days) : std::nullopt; }
+
+std::array<double, 6> georeference_detail(const Georeference& g) {
+  return {g.roll_deg, g.pitch_deg, g.azimuth_sd_deg, g.geoid.height_m, g.geoid.slope_east, g.geoid.slope_north};
+}
+
+/// A line per residual: used (1 or 0), residual, leave-one-out residual (-1: none), name.
+std::string residual_lines(const std::vector<ControlResidual>& residuals) {
+  std::string text;
+  for (const ControlResidual& r : residuals) {
+    const std::array<double, 3> numbers = {r.used ? 1.0 : 0.0, r.residual_m, r.leave_one_out_m.value_or(-1.0)};
+    text += exact_list(numbers) + "\t" + r.name + "\n";
+  }
+  return text;
+}
 
 /// Writes the stemwise_* tables.
 class StateWriter {
@@ -152,6 +167,9 @@ class StateWriter {
                                                                      {"georeference", exact_list(georeference)},
                                                                      {"georeference_epsg", std::to_string(g.epsg)},
                                                                      {"georeference_method", g.method},
+                                                                     {"georeference_detail", exact_list(georeference_detail(g))},
+                                                                     {"georeference_geoid", g.geoid.name},
+                                                                     {"georeference_residuals", residual_lines(g.residuals)},
                                                                      {"rows_stems", std::to_string(stem_rows_)},
                                                                      {"rows_matches", std::to_string(match_rows_)},
                                                                      {"rows_trees", std::to_string(tree_rows_)},
@@ -193,15 +211,19 @@ Result<Done> write_project(const ProjectState& state, const std::string& path) {
     std::filesystem::remove(temporary + "-journal", ignored);
     return Result<Done>::failure(cannot_write(path, why));
   };
+  Issues issues;
   DatasetPtr dataset = create_dataset("GPKG", temporary);
   if (!dataset) return give_up(messages.last_error());
   try {
     dataset->StartTransaction();
-    if (const Issues issues = write_map_layers(*dataset, state); has_error(issues)) {
+    if (const Issues wrong = write_map_layers(*dataset, state); has_error(wrong)) {
       dataset.reset();
-      return give_up(issues.front().text);
+      return give_up(wrong.front().text);
     }
     StateWriter(*dataset, state).run();
+    issues = keep_foreign_layers(path, *dataset);
+    const Issues styles = write_layer_styles(path, *dataset);
+    issues.insert(issues.end(), styles.begin(), styles.end());
     const bool committed = dataset->CommitTransaction() == OGRERR_NONE;
     dataset.reset();
     if (!committed || !messages.errors().empty()) return give_up(messages.last_error());
@@ -209,7 +231,10 @@ Result<Done> write_project(const ProjectState& state, const std::string& path) {
     dataset.reset();
     return give_up(error.what() + (messages.errors().empty() ? std::string() : ": " + messages.last_error()));
   }
-  return replace_file(temporary, path);
+  Result<Done> done = replace_file(temporary, path);
+  for (Issue& issue : issues) issue.file = path;
+  done.issues.insert(done.issues.end(), issues.begin(), issues.end());
+  return done;
 }
 
 }  // namespace stemwise

@@ -13,10 +13,11 @@ namespace {
 std::optional<ExportOptions> export_options(const ExportCommandOptions& given, Console& console) {
   ExportOptions options;
   options.decimal_comma = given.decimal_comma;
+  options.software = "Stemwise " STEMWISE_VERSION;
   if (!given.layer.empty()) {
     options.layer = layer_kind_from(given.layer);
     if (!options.layer) {
-      console.error("--layer " + given.layer + ": expected trees, observations, matches, links, inventories or coverage");
+      console.error("--layer " + given.layer + ": expected trees, observations, matches, links, inventories, coverage or forestgeo");
       return std::nullopt;
     }
   }

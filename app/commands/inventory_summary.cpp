@@ -104,7 +104,7 @@ std::string info_text(const ReadInput& input) {
   return text + line("problems", std::to_string(input.inventory.issues.size()));
 }
 
-std::string info_json(const std::vector<ReadInput>& inputs) {
+std::string info_json(const std::vector<ReadInput>& inputs, const ordered_json& projects) {
   ordered_json all = ordered_json::array();
   for (const ReadInput& input : inputs) {
     ordered_json one{{"path", input.path}, {"name", input.name}, {"usable", static_cast<bool>(input.inventory)}};
@@ -113,7 +113,9 @@ std::string info_json(const std::vector<ReadInput>& inputs) {
     for (const Issue& issue : input.inventory.issues) one["problems"].push_back(problem_json(issue));
     all.push_back(one);
   }
-  return ordered_json{{"inventories", all}}.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  ordered_json json{{"inventories", all}};
+  if (!projects.empty()) json["projects"] = projects;
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace stemwise

@@ -1,4 +1,5 @@
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <Eigen/Core>
 #include <optional>
 #include <string>
@@ -20,6 +21,6 @@ InventorySummary summarize(const Inventory& inventory);
 /// Lines for people, ended by a newline.
 std::string info_text(const ReadInput& input);
 /// All inputs as one JSON text.
-std::string info_json(const std::vector<ReadInput>& inputs);
+std::string info_json(const std::vector<ReadInput>& inputs, const nlohmann::ordered_json& projects);
 
 }  // namespace stemwise

@@ -12,6 +12,9 @@ struct ReportCommandOptions {
   std::string output;
   std::optional<double> area_ha;
   double class_width_cm = 5.0;
+  std::string rules;              ///< a built-in pack, "none", or a JSON file; empty: as the project has it
+  bool field_check = false;
+  std::size_t field_check_trees = 100;
 };
 /// `stemwise report PROJECT -o FILE`: the growth report, format by suffix.
 ExitCode run_report(const ReportCommandOptions& options, Session& session);

@@ -19,7 +19,7 @@ AlignSettings settings_of(const ProjectState& state, Issues& issues) {
       settings.seed = std::strtoull(value.c_str(), nullptr, 10);
     } else if (key == "accept_probable") {
       settings.accept_probable = value == "true";
-    } else {
+    } else if (!key.starts_with("rules.")) {  // those are for the tables, not for the alignment
       const Issues wrong = set_field(fields, key, value);
       issues.insert(issues.end(), wrong.begin(), wrong.end());
     }

@@ -13,12 +13,12 @@ GeographicLib::LocalCartesian tangent_plane(const Georeference& anchor) {
   return {anchor.origin.latitude_deg, anchor.origin.longitude_deg, anchor.origin.height_m};
 }
 
-/// Turns reference coordinates so that +y points north: the azimuth counts clockwise from north, yaw counter-clockwise.
-Eigen::Matrix3d enu_from_reference(const Georeference& anchor) {
-  return rotation_from({0.0, 0.0, -radians(anchor.azimuth_deg)});
-}
-
 }  // namespace
+
+// The azimuth counts clockwise from north, yaw counter-clockwise.
+Eigen::Matrix3d enu_from_reference(const Georeference& anchor) {
+  return rotation_from({radians(anchor.roll_deg), radians(anchor.pitch_deg), -radians(anchor.azimuth_deg)});
+}
 
 Geodetic geodetic_from_reference(const Georeference& anchor, const Eigen::Vector3d& point_in_reference_m) {
   const Eigen::Vector3d enu = enu_from_reference(anchor) * (point_in_reference_m - anchor.anchored_point_m);
@@ -31,6 +31,25 @@ Eigen::Vector3d reference_from_geodetic(const Georeference& anchor, const Geodet
   Eigen::Vector3d enu;
   tangent_plane(anchor).Forward(point.latitude_deg, point.longitude_deg, point.height_m, enu.x(), enu.y(), enu.z());
   return enu_from_reference(anchor).transpose() * enu + anchor.anchored_point_m;
+}
+
+double geoid_height_m(const Georeference& georeference, const Geodetic& point) {
+  const LocalGeoid& geoid = georeference.geoid;
+  if (geoid.name.empty()) return 0.0;
+  double east_m = 0.0, north_m = 0.0, up_m = 0.0;
+  tangent_plane(georeference).Forward(point.latitude_deg, point.longitude_deg, georeference.origin.height_m, east_m, north_m, up_m);
+  return geoid.height_m + geoid.slope_east * east_m + geoid.slope_north * north_m;
+}
+
+double position_sd_on_earth_m(const Georeference& georeference, const Eigen::Vector3d& point_in_reference_m, double sd_in_reference_m) {
+  if (georeference.kind == GeoreferenceKind::none) return sd_in_reference_m;
+  double turned_m = 0.0;
+  if (georeference.kind == GeoreferenceKind::anchor) {
+    // An error of the azimuth moves a point across its direction from the anchor: half of its square falls on one axis.
+    const double distance_m = (point_in_reference_m - georeference.anchored_point_m).head<2>().norm();
+    turned_m = distance_m * radians(georeference.azimuth_sd_deg) * std::sqrt(0.5);
+  }
+  return std::sqrt(sd_in_reference_m * sd_in_reference_m + georeference.sd_m * georeference.sd_m + turned_m * turned_m);
 }
 
 std::optional<UtmPosition> utm_from_geodetic(const Geodetic& point, const Geodetic& zone_of) {

@@ -2,60 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/base/quantile.hpp"
+#include "core/geodesy/earth_fit.hpp"
 #include "core/geometry/rigid_transform.hpp"
 
 namespace stemwise {
 namespace {
 
-/// A control point in a tangent plane about the points' middle.
-struct PlanarPair {
-  Eigen::Vector2d frame_m, enu_m;
-  double up_m = 0.0;
-  bool has_up = false;
-};
-
-struct PlanarFit {
-  double yaw_rad = 0.0;  ///< enu = R(yaw) frame + shift
-  Eigen::Vector2d shift_m = Eigen::Vector2d::Zero();
-  Eigen::Vector2d operator*(const Eigen::Vector2d& p) const {
-    const double c = std::cos(yaw_rad), s = std::sin(yaw_rad);
-    return {c * p.x() - s * p.y() + shift_m.x(), s * p.x() + c * p.y() + shift_m.y()};
-  }
-};
-
+using Pairs = std::vector<EarthPair>;
 using Indices = std::vector<std::size_t>;
 
-Eigen::Vector2d turned(const Eigen::Vector2d& p, double yaw_rad) { return PlanarFit{yaw_rad, {0, 0}} * p; }
-
-/// Least squares in the plane; the yaw is kept where `fixed_yaw_rad` is given.
-PlanarFit fit(const std::vector<PlanarPair>& pairs, const Indices& use, std::optional<double> fixed_yaw_rad) {
-  Eigen::Vector2d frame = Eigen::Vector2d::Zero(), enu = Eigen::Vector2d::Zero();
-  for (const std::size_t i : use) {
-    frame += pairs[i].frame_m;
-    enu += pairs[i].enu_m;
-  }
-  frame /= static_cast<double>(use.size());
-  enu /= static_cast<double>(use.size());
-  double dot = 0.0, cross = 0.0;
-  for (const std::size_t i : use) {
-    const Eigen::Vector2d a = pairs[i].frame_m - frame, b = pairs[i].enu_m - enu;
-    dot += a.dot(b);
-    cross += a.x() * b.y() - a.y() * b.x();
-  }
-  PlanarFit out;
-  out.yaw_rad = fixed_yaw_rad.value_or(std::atan2(cross, dot));
-  out.shift_m = enu - turned(frame, out.yaw_rad);
+Pairs chosen(const Pairs& pairs, const Indices& use) {
+  Pairs out;
+  for (const std::size_t i : use) out.push_back(pairs[i]);
   return out;
 }
 
-double residual_m(const PlanarFit& pose, const PlanarPair& pair) { return (pose * pair.frame_m - pair.enu_m).norm(); }
-
-Indices within(const std::vector<PlanarPair>& pairs, const PlanarFit& pose, double limit_m) {
+Indices within(const Pairs& pairs, const EarthFit& fit, double limit_m) {
   Indices out;
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (residual_m(pose, pairs[i]) <= limit_m) out.push_back(i);
+    if (planar_residual_m(fit, pairs[i]) <= limit_m) out.push_back(i);
   return out;
 }
 
@@ -66,25 +34,25 @@ Indices all_of(std::size_t count) {
 }
 
 /// The points that the best pair's pose brings home; every pair is tried (control points are few).
-Indices consensus(const std::vector<PlanarPair>& pairs, const ControlSettings& settings, std::optional<double> yaw_rad) {
+Indices consensus(const Pairs& pairs, const ControlSettings& settings, std::optional<double> fixed_yaw_rad) {
   if (pairs.size() < 4) return all_of(pairs.size());
   Indices best;
   double best_sum = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-      const PlanarFit pose = fit(pairs, {i, j}, yaw_rad);
-      const Indices inside = within(pairs, pose, settings.outlier_m);
+      const EarthFit fit = fit_level({pairs[i], pairs[j]}, fixed_yaw_rad);
+      const Indices inside = within(pairs, fit, settings.outlier_m);
       double sum = 0.0;
-      for (const std::size_t k : inside) sum += residual_m(pose, pairs[k]);
+      for (const std::size_t k : inside) sum += planar_residual_m(fit, pairs[k]);
       if (inside.size() > best.size() || (inside.size() == best.size() && sum < best_sum)) {
         best = inside;
         best_sum = sum;
       }
     }
-  const PlanarFit pose = fit(pairs, best, yaw_rad);
+  const EarthFit fit = fit_level(chosen(pairs, best), fixed_yaw_rad);
   std::vector<double> residuals;
-  for (const std::size_t k : best) residuals.push_back(residual_m(pose, pairs[k]));
-  return within(pairs, pose, std::max(settings.outlier_m, 3.0 * 1.4826 * median(residuals)));
+  for (const std::size_t k : best) residuals.push_back(planar_residual_m(fit, pairs[k]));
+  return within(pairs, fit, std::max(settings.outlier_m, 3.0 * 1.4826 * median(residuals)));
 }
 
 Geodetic middle(const std::vector<ControlPoint>& points) {
@@ -102,84 +70,164 @@ Eigen::Vector3d middle_in_reference(const std::vector<ControlPoint>& points) {
   return {sum.x() / static_cast<double>(points.size()), sum.y() / static_cast<double>(points.size()), 0.0};
 }
 
-std::vector<PlanarPair> planar_pairs(const std::vector<ControlPoint>& points, const Georeference& plane) {
-  std::vector<PlanarPair> pairs;
+Pairs pairs_of(const std::vector<ControlPoint>& points, const Georeference& plane) {
+  Pairs pairs;
+  const Eigen::Vector3d middle_m = middle_in_reference(points);
   for (const ControlPoint& point : points) {
-    const Eigen::Vector3d enu = reference_from_geodetic(plane, point.on_earth);
-    pairs.push_back({(point.in_reference_m - middle_in_reference(points)).head<2>(), enu.head<2>(),
-                     enu.z() - (point.has_z ? point.in_reference_m.z() : 0.0), point.has_height});
+    EarthPair pair{point.in_reference_m - middle_m, reference_from_geodetic(plane, point.on_earth), point.has_height, 1.0};
+    if (!point.has_z) pair.frame_m.z() = 0.0;
+    pairs.push_back(pair);
   }
   return pairs;
 }
 
-std::optional<Issue> check(const std::vector<ControlPoint>& points, const std::vector<PlanarPair>& pairs, bool translation_only) {
+Issue error(std::string text, std::string help) { return {Severity::error, "", 0, "", std::move(text), std::move(help)}; }
+
+std::optional<Issue> check(const Pairs& pairs, bool translation_only) {
   const std::size_t needed = translation_only ? 1 : 2;
-  if (points.size() < needed)
-    return Issue{Severity::error, "", 0, "", std::to_string(points.size()) + " control points, at least 2 are needed",
-                 "one is enough when the azimuth is given"};
+  if (pairs.size() < needed)
+    return error(std::to_string(pairs.size()) + " control points, at least 2 are needed", "one is enough when the azimuth is given (--translation-only --azimuth)");
   if (translation_only) return std::nullopt;
   double longest_m = 0.0, ratio = 1.0;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-      const double frame_m = (pairs[i].frame_m - pairs[j].frame_m).norm();
+      const double frame_m = (pairs[i].frame_m - pairs[j].frame_m).head<2>().norm();
       if (frame_m <= longest_m) continue;
       longest_m = frame_m;
-      ratio = (pairs[i].enu_m - pairs[j].enu_m).norm() / frame_m;
+      ratio = (pairs[i].enu_m - pairs[j].enu_m).head<2>().norm() / frame_m;
     }
-  if (longest_m < 1.0) return Issue{Severity::error, "", 0, "", "the control points lie on one spot", "take points far apart"};
-  if (points.size() == 2 && std::abs(ratio - 1.0) > 0.1)
-    return Issue{Severity::error, "", 0, "", "the two control points are " + std::to_string(ratio) + " times as far apart on the earth as in the survey",
-                 "check which point is which, and the order of longitude and latitude"};
+  if (longest_m < 1.0) return error("the control points lie on one spot", "take points far apart");
+  if (pairs.size() == 2 && std::abs(ratio - 1.0) > 0.1)
+    return error("the two control points are " + std::to_string(ratio) + " times as far apart on the earth as in the survey",
+                 "check which point is which, and the order of longitude and latitude");
   return std::nullopt;
 }
 
-void set_height(Georeference& out, const std::vector<PlanarPair>& pairs, const Indices& used) {
-  std::vector<double> up;
-  for (const std::size_t i : used)
-    if (pairs[i].has_up) up.push_back(pairs[i].up_m);
-  if (!up.empty()) out.origin.height_m += median(up);
+/// Three or more, with heights, and not on one line: the smaller spread across is at least a metre.
+bool can_tilt(const Pairs& pairs) {
+  if (pairs.size() < 3 || !std::all_of(pairs.begin(), pairs.end(), [](const EarthPair& p) { return p.has_up; })) return false;
+  double widest_m = 0.0;
+  for (const EarthPair& a : pairs)
+    for (const EarthPair& b : pairs) {
+      const Eigen::Vector2d along = (b.frame_m - a.frame_m).head<2>();
+      if (along.norm() < 1.0) continue;
+      for (const EarthPair& c : pairs) {
+        const Eigen::Vector2d across = (c.frame_m - a.frame_m).head<2>();
+        widest_m = std::max(widest_m, std::abs(along.x() * across.y() - along.y() * across.x()) / along.norm());
+      }
+    }
+  return widest_m >= 1.0;
 }
 
-ControlReport report(const std::vector<ControlPoint>& points, const std::vector<PlanarPair>& pairs, const Indices& used,
-                     const PlanarFit& pose, std::optional<double> yaw_rad) {
-  ControlReport out;
+std::optional<double> height_rms_m(const EarthFit& fit, const Pairs& pairs) {
   double sum_sq = 0.0;
+  int known = 0;
+  for (const EarthPair& pair : pairs)
+    if (pair.has_up) {
+      const double off_m = (fit * pair.frame_m - pair.enu_m).z();
+      sum_sq += off_m * off_m;
+      ++known;
+    }
+  if (known < 2) return std::nullopt;
+  return std::sqrt(sum_sq / known);
+}
+
+/// `automatic`: heights must fit three times better with a tilt than without, and it must be a tilt to speak of.
+bool says_tilted(const EarthFit& level, const EarthFit& tilted, const Pairs& pairs) {
+  if (pairs.size() < 4) return false;
+  const double level_rms_m = height_rms_m(level, pairs).value_or(0.0), tilted_rms_m = height_rms_m(tilted, pairs).value_or(0.0);
+  double reach_m = 0.0;
+  for (const EarthPair& pair : pairs) reach_m = std::max(reach_m, pair.frame_m.head<2>().norm());
+  const double tilt_rad = std::acos(std::min(1.0, tilted.rotation(2, 2)));
+  const double free = std::max(1.0, static_cast<double>(pairs.size()) - 3.0);
+  const double tilt_sd_rad = tilted_rms_m * std::sqrt(static_cast<double>(pairs.size()) / free) / std::max(1.0, reach_m);
+  return level_rms_m > 3.0 * tilted_rms_m && level_rms_m > 0.05 && tilt_rad > 3.0 * tilt_sd_rad;
+}
+
+/// How the chosen points are fitted, so that "without one of them" is the same fit.
+struct Fitter {
+  std::optional<double> fixed_yaw_rad;
+  bool tilted = false;
+  std::size_t needed() const { return tilted ? 3 : fixed_yaw_rad ? 1 : 2; }
+  int parameters() const { return fixed_yaw_rad ? 2 : 3; }
+  EarthFit operator()(const Pairs& pairs) const { return tilted ? fit_tilted(pairs) : fit_level(pairs, fixed_yaw_rad); }
+};
+
+std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& points, const Pairs& pairs, const Indices& used, const Fitter& fitter) {
+  const EarthFit fit = fitter(chosen(pairs, used));
+  std::vector<ControlResidual> rows;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    ControlResidual row{points[i].name, residual_m(pose, pairs[i]), std::nullopt, std::find(used.begin(), used.end(), i) != used.end()};
+    ControlResidual row{points[i].name, planar_residual_m(fit, pairs[i]), std::nullopt, std::find(used.begin(), used.end(), i) != used.end()};
     Indices others = used;
     std::erase(others, i);
-    if (others.size() >= 2) row.leave_one_out_m = residual_m(fit(pairs, others, yaw_rad), pairs[i]);
-    if (row.used) sum_sq += row.residual_m * row.residual_m;
-    out.residuals.push_back(std::move(row));
+    const Pairs rest = chosen(pairs, others);
+    if (others.size() >= fitter.needed() && (!fitter.tilted || can_tilt(rest))) row.leave_one_out_m = planar_residual_m(fitter(rest), pairs[i]);
+    rows.push_back(std::move(row));
   }
-  out.rms_m = std::sqrt(sum_sq / static_cast<double>(used.size()));
+  return rows;
+}
+
+/// The tangent plane's fit as a georeference: anchored at the points' middle.
+Georeference georeference_of(const EarthFit& fit, const Georeference& plane, const Eigen::Vector3d& anchored_point_m) {
+  Georeference out = plane;
+  out.origin = geodetic_from_reference(plane, {fit.shift_m.x(), fit.shift_m.y(), 0.0});
+  out.origin.height_m = fit.shift_m.z();
+  out.anchored_point_m = anchored_point_m;
+  const RollPitchYaw angles = roll_pitch_yaw(fit.rotation);
+  out.azimuth_deg = std::fmod(degrees(-angles.yaw_rad) + 720.0, 360.0);
+  out.roll_deg = degrees(angles.roll_rad);
+  out.pitch_deg = degrees(angles.pitch_rad);
   return out;
+}
+
+Issues left_out(const std::vector<ControlResidual>& residuals) {
+  Issues issues;
+  for (const ControlResidual& row : residuals) {
+    if (row.used) continue;
+    char text[96];
+    std::snprintf(text, sizeof text, ": %.2f m from where the other control points put it, left out", row.residual_m);
+    issues.push_back({Severity::warning, "", 0, "", row.name + text, "check this point"});
+  }
+  return issues;
+}
+
+std::string method_text(const ControlReport& report, std::size_t used, bool translation_only) {
+  return "control points (" + std::to_string(used) + (translation_only ? ", azimuth given" : report.tilted ? ", tilted" : "") + ")";
 }
 
 }  // namespace
 
 Result<ControlReport> solve_control_points(const std::vector<ControlPoint>& points, const ControlSettings& settings) {
-  if (points.empty()) return Result<ControlReport>::failure({Severity::error, "", 0, "", "no control points", ""});
+  if (points.empty()) return Result<ControlReport>::failure(error("no control points", ""));
   Georeference plane;
   plane.kind = GeoreferenceKind::anchor;
   plane.origin = middle(points);
-  const std::vector<PlanarPair> pairs = planar_pairs(points, plane);
-  if (auto issue = check(points, pairs, settings.translation_only)) return Result<ControlReport>::failure(*issue);
-  std::optional<double> yaw_rad;
-  if (settings.translation_only) yaw_rad.emplace(-radians(settings.azimuth_deg));
-  const Indices used = consensus(pairs, settings, yaw_rad);
-  const PlanarFit pose = fit(pairs, used, yaw_rad);
-  ControlReport out = report(points, pairs, used, pose, yaw_rad);
-  Georeference& georeference = out.georeference;
-  georeference = plane;
-  georeference.origin = geodetic_from_reference(plane, {pose.shift_m.x(), pose.shift_m.y(), 0.0});
-  georeference.origin.height_m = 0.0;
-  georeference.anchored_point_m = middle_in_reference(points);
-  georeference.azimuth_deg = std::fmod(degrees(-pose.yaw_rad) + 720.0, 360.0);
-  set_height(georeference, pairs, used);
-  georeference.sd_m = out.rms_m;
-  georeference.method = "control points (" + std::to_string(used.size()) + ")";
-  return out;
+  const Pairs pairs = pairs_of(points, plane);
+  if (auto issue = check(pairs, settings.translation_only)) return Result<ControlReport>::failure(*issue);
+  Fitter fitter;
+  if (settings.translation_only) fitter.fixed_yaw_rad.emplace(-radians(settings.azimuth_deg));
+  const Indices used = consensus(pairs, settings, fitter.fixed_yaw_rad);
+  const Pairs kept = chosen(pairs, used);
+  const EarthFit level = fitter(kept);
+  const bool may_tilt = !settings.translation_only && settings.level != LevelChoice::level && can_tilt(kept);
+  if (settings.level == LevelChoice::tilted && !may_tilt)
+    return Result<ControlReport>::failure(error("a tilted frame needs three control points with heights that do not stand on one line", "give more points, or take the frame as level (--level)"));
+  fitter.tilted = may_tilt && (settings.level == LevelChoice::tilted || says_tilted(level, fit_tilted(kept), kept));
+  const EarthFit fit = fitter(kept);
+
+  ControlReport out;
+  out.tilted = fitter.tilted;
+  out.height_rms_m = height_rms_m(fit, kept);
+  out.georeference = georeference_of(fit, plane, middle_in_reference(points));
+  out.georeference.residuals = residuals_of(points, pairs, used, fitter);
+  double sum_sq = 0.0;
+  for (const EarthPair& pair : kept) sum_sq += planar_residual_m(fit, pair) * planar_residual_m(fit, pair);
+  out.rms_m = std::sqrt(sum_sq / static_cast<double>(kept.size()));
+  const EarthFitError sd = error_of(fit, kept, fitter.parameters());
+  out.georeference.sd_m = sd.middle_m;
+  out.georeference.azimuth_sd_deg = settings.translation_only ? 0.0 : degrees(sd.yaw_rad);
+  out.georeference.method = method_text(out, used.size(), settings.translation_only);
+  return {out, left_out(out.georeference.residuals)};
 }
 
 }  // namespace stemwise

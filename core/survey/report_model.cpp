@@ -181,6 +181,49 @@ std::string georeference_text(const Georeference& georeference) {
   return georeference.kind == GeoreferenceKind::none ? "" : georeference.method;
 }
 
+void describe_georeference(const Georeference& georeference, ReportModel& model) {
+  model.georeference = georeference_text(georeference);
+  model.height_datum = georeference.geoid.name.empty() ? "the ellipsoid" : "the geoid " + georeference.geoid.name;
+  model.georeference_sd_m = georeference.sd_m;
+  model.georeference_residuals = georeference.residuals;
+  constexpr double quarter = std::numbers::pi / 2.0;
+  if (georeference.kind == GeoreferenceKind::anchor) model.north_rad = quarter + georeference.azimuth_deg * std::numbers::pi / 180.0;
+  if (georeference.kind == GeoreferenceKind::crs) model.north_rad = quarter;
+}
+
+void add_rules(const std::vector<RuleCount>& counts, const std::string& pack, bool is_chosen, ReportModel& model) {
+  for (const RuleCount& count : counts) model.rules.push_back({pack, count, is_chosen});
+}
+
+std::string rule_flags(const MatchRow& match, const RulePack& pack) {
+  std::string text;
+  for (const Rule& rule : pack.rules)
+    if (std::find(match.flags.begin(), match.flags.end(), rule.flag) != match.flags.end()) text += (text.empty() ? "" : "; ") + rule.flag;
+  return text;
+}
+
+void judge_growth(const ProjectState& state, const Tables& tables, ReportModel& model) {
+  const std::optional<RulePack> chosen = chosen_rules(state);
+  if (chosen) {
+    model.rule_pack = chosen->name;
+    add_rules(count_broken(*chosen, tables), chosen->name, true, model);
+  }
+  for (const RulePack& pack : rule_packs())
+    if (!chosen || pack.name != chosen->name) add_rules(count_broken(pack, tables), pack.name, false, model);
+  if (!chosen) return;
+  const auto index = survey_index(model);
+  for (const MatchRow& match : tables.matches) {
+    const std::string flags = rule_flags(match, *chosen);
+    if (flags.empty()) continue;
+    const TreeRow* tree = tables.find(match.tree);
+    model.flagged.push_back({match.tree, index.at(match.a.inventory), index.at(match.b.inventory), *match.dbh_a_m, *match.dbh_b_m, match.growth_m_per_year, flags,
+                             tree == nullptr ? "" : tree->species});
+  }
+  std::stable_sort(model.flagged.begin(), model.flagged.end(), [](const ReportFlagged& a, const ReportFlagged& b) {
+    return std::abs(a.later_dbh_m - a.earlier_dbh_m) > std::abs(b.later_dbh_m - b.earlier_dbh_m);
+  });
+}
+
 }  // namespace
 
 ReportModel make_report_model(const ProjectState& state, const Tables& tables, const ReportOptions& options) {
@@ -188,7 +231,8 @@ ReportModel make_report_model(const ProjectState& state, const Tables& tables, c
   model.title = state.title;
   model.options = options;
   model.fusion = state.fusion;
-  model.georeference = georeference_text(state.georeference);
+  describe_georeference(state.georeference, model);
+  model.settings = state.settings;
   if (const Inventory* reference = state.find(state.reference)) model.reference = reference->name;
   model.trees_by_fate = tables.trees_by_fate;
   model.trees = tables.trees;
@@ -200,6 +244,7 @@ ReportModel make_report_model(const ProjectState& state, const Tables& tables, c
     if (index.contains(row.from) && index.contains(row.to)) model.growth.push_back(growth_of(tables, row, index));
   }
   list_new_and_missing(state, tables, model);
+  judge_growth(state, tables, model);
   return model;
 }
 

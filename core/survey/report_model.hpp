@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/survey/rule_pack.hpp"
 #include "core/survey/tables.hpp"
 
 namespace stemwise {
@@ -74,10 +76,34 @@ struct ReportStem {
   std::size_t survey = 0;
 };
 
+/// One rule of a pack, and how many pairs it flags.
+struct ReportRule {
+  std::string pack;
+  RuleCount count;
+  bool is_chosen = false;
+};
+
+/// A pair of sightings that breaks a rule of the chosen pack.
+struct ReportFlagged {
+  TreeId tree;
+  std::size_t from = 0, to = 0;        ///< surveys
+  double earlier_dbh_m = 0.0, later_dbh_m = 0.0;
+  std::optional<double> growth_m_per_year;
+  std::string flags, species;
+};
+
 struct ReportModel {
   std::string title;
   std::string reference;
   std::string georeference;            ///< "" without one
+  std::string height_datum;            ///< "the ellipsoid", "the geoid egm2008-5"
+  double georeference_sd_m = 0.0;
+  std::vector<ControlResidual> georeference_residuals;
+  std::optional<double> north_rad;     ///< direction of true north in the reference's frame, counter-clockwise from +x
+  std::map<std::string, std::string> settings;
+  std::string rule_pack;               ///< "" when none is chosen
+  std::vector<ReportRule> rules;       ///< of the chosen pack first, then of the others
+  std::vector<ReportFlagged> flagged;  ///< by the chosen pack, the largest change first
   FusionPolicy fusion = FusionPolicy::min_dbh;
   ReportOptions options;
   std::vector<ReportSurvey> surveys;   ///< placed ones by date, then the others

@@ -11,6 +11,7 @@
 #include "core/survey/fuse_tree.hpp"
 #include "core/survey/growth.hpp"
 #include "core/survey/review_queue.hpp"
+#include "core/survey/rule_pack.hpp"
 
 namespace stemwise {
 namespace {
@@ -317,6 +318,10 @@ const TreeRow* Tables::find(TreeId id) const {
   return found == trees.end() || found->tree != id ? nullptr : &*found;
 }
 
-Tables derive_tables(const ProjectState& state) { return Derivation(state).run(); }
+Tables derive_tables(const ProjectState& state) {
+  Tables tables = Derivation(state).run();
+  flag_implausible(state, tables);
+  return tables;
+}
 
 }  // namespace stemwise

@@ -184,6 +184,16 @@ void draw_scale_bar(Drawing& drawing, double scale, double y) {
   drawing.items.push_back(DrawText{{right - length_m * scale / 2.0, y - 5.0}, tick_text(length_m, length_m) + " m", 10.5, palette::text, TextAnchor::middle});
 }
 
+/// An arrow to true north in the map's upper right corner.
+void draw_north(Drawing& drawing, double north_rad) {
+  const DrawPoint middle{chart_width - 28.0, 34.0};
+  const double dx = std::cos(north_rad), dy = -std::sin(north_rad);
+  const DrawPoint tip{middle.x + 15.0 * dx, middle.y + 15.0 * dy}, left{middle.x - 11.0 * dx - 6.0 * dy, middle.y - 11.0 * dy + 6.0 * dx};
+  const DrawPoint right{middle.x - 11.0 * dx + 6.0 * dy, middle.y - 11.0 * dy - 6.0 * dx}, notch{middle.x - 6.0 * dx, middle.y - 6.0 * dy};
+  drawing.items.push_back(DrawPolygon{{tip, left, notch, right}, palette::text, palette::text});
+  drawing.items.push_back(DrawText{{middle.x + 23.0 * dx, middle.y + 23.0 * dy + 3.5}, "N", 10.5, palette::text, TextAnchor::middle, true});
+}
+
 }  // namespace
 
 Drawing draw_fate_map(const ReportModel& model) {
@@ -199,6 +209,7 @@ Drawing draw_fate_map(const ReportModel& model) {
     const bool hollow = tree.fate == Fate::outside_coverage;
     drawing.items.push_back(DrawCircle{frame.at(tree.position_m), radius, hollow ? "" : palette::fates[fate], palette::fates[fate], 0.45, tree.fate == Fate::missing});
   }
+  if (model.north_rad) draw_north(drawing, *model.north_rad);
   draw_scale_bar(drawing, frame.scale, map_height + 20.0);
   const double last = draw_fate_legend(drawing, model, map_height + 46.0);
   drawing.height = last + 10.0;

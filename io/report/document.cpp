@@ -2,29 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "io/report/charts.hpp"
+#include "io/report/number_text.hpp"
+#include "io/report/sections.hpp"
 
 namespace stemwise {
 namespace {
-
-std::string fixed(double value, int decimals) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  const bool is_zero = std::string(text).find_first_not_of("-0.") == std::string::npos;
-  return is_zero && text[0] == '-' ? text + 1 : text;
-}
-std::string fixed(const std::optional<double>& value, int decimals, double factor = 1.0) {
-  return value ? fixed(*value * factor, decimals) : "";
-}
-std::string date_text(const std::optional<Date>& date) { return date ? to_string(*date) : ""; }
-
-std::string grouped(int value) {
-  std::string digits = std::to_string(value);
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), ",");
-  return digits;
-}
 
 std::string observed_text(const ReportSurvey& survey) {
   if (survey.status == AlignmentStatus::reference) return "";
@@ -208,7 +192,6 @@ ReportTable stem_table(const ReportModel& model, const char* title, const std::v
 ReportSection fate_section(const ReportModel& model) {
   ReportSection section{"What became of the trees", {}};
   section.blocks.emplace_back(fate_table(model));
-  if (!model.trees.empty()) section.blocks.emplace_back(ReportChart{draw_fate_map(model), "Every merged tree; the circles follow DBH, enlarged to be seen."});
   return section;
 }
 
@@ -222,6 +205,22 @@ ReportSection list_section(const ReportModel& model) {
   return section;
 }
 
+ReportCover cover_of(const ReportModel& model, const std::string& software) {
+  ReportCover cover;
+  cover.figures = key_figures(model);
+  if (!model.trees.empty())
+    cover.map = ReportChart{draw_fate_map(model), "Every merged tree by what became of it between the last two surveys; the circles follow DBH, enlarged to be seen."};
+  for (std::size_t i = 0; i < model.placed; ++i) {
+    const ReportSurvey& s = model.surveys[i];
+    std::string text = std::to_string(s.stems) + " stems" + (s.date ? ", " + to_string(*s.date) : ", no date");
+    if (s.area) text += ", " + fixed(s.area->ha, 2) + " ha (" + s.area->source + ")";
+    cover.facts.emplace_back("Survey " + s.name, text);
+  }
+  cover.facts.emplace_back("Coordinates", model.georeference.empty() ? "local, in the frame of " + model.reference : "placed on the earth by " + model.georeference);
+  cover.facts.emplace_back("Made with", software);
+  return cover;
+}
+
 }  // namespace
 
 ReportDocument make_report_document(const ReportModel& model, const std::string& software) {
@@ -229,9 +228,9 @@ ReportDocument make_report_document(const ReportModel& model, const std::string&
   document.title = model.title.empty() ? "Growth report" : "Growth report: " + model.title;
   for (std::size_t i = 0; i < model.placed; ++i) document.subtitle += (i == 0 ? "Surveys " : ", ") + model.surveys[i].name;
   document.footer = software;
-  ReportSection summary{"Summary", {}};
-  summary.blocks.emplace_back(key_figures(model));
-  document.sections = {summary, survey_section(model), fate_section(model), growth_section(model), structure_section(model), list_section(model)};
+  document.cover = cover_of(model, software);
+  document.sections = {survey_section(model), fate_section(model),  growth_section(model),           structure_section(model),
+                       flag_section(model),   list_section(model), method_section(model, software), dictionary_section()};
   return document;
 }
 

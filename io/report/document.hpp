@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -48,9 +50,17 @@ struct ReportSection {
   std::vector<ReportBlock> blocks;
 };
 
+/// The first page.
+struct ReportCover {
+  ReportFigures figures;
+  std::optional<ReportChart> map;
+  std::vector<std::pair<std::string, std::string>> facts;  ///< label and text
+};
+
 struct ReportDocument {
   std::string title;
   std::string subtitle;
+  ReportCover cover;
   std::vector<ReportSection> sections;
   std::string footer;  ///< software and version
 };

@@ -30,6 +30,9 @@ td:not(.n){overflow-wrap:anywhere}
 p.note,figcaption{font-size:11.5px;color:var(--secondary);margin:8px 0 0}
 figure{margin:24px 0;break-inside:avoid}
 figure svg{width:100%;max-width:760px;height:auto;font-family:Roboto,"DejaVu Sans",system-ui,sans-serif}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:4px 20px;font-size:13px}
+dt{color:var(--secondary)}
+dd{margin:0}
 footer{margin-top:48px;padding-top:12px;border-top:1px solid var(--line);font-size:11.5px;color:var(--secondary)}
 @media print{body{background:#fff}main{padding:0;max-width:none}h2,h3{break-after:avoid}tr{break-inside:avoid}thead{display:table-header-group}}
 )";
@@ -77,12 +80,21 @@ std::string block_html(const ReportChart& chart) {
   return "<figure>\n" + to_svg(chart.drawing) + "<figcaption>" + escape_markup(print_prose(chart.caption)) + "</figcaption></figure>\n";
 }
 
+std::string cover_html(const ReportCover& cover) {
+  std::string html = cover.figures.empty() ? "" : block_html(cover.figures);
+  if (cover.map) html += block_html(*cover.map);
+  if (cover.facts.empty()) return html;
+  html += "<dl>";
+  for (const auto& [label, text] : cover.facts) html += "<dt>" + escape_markup(label) + "</dt><dd>" + escape_markup(print_prose(text)) + "</dd>";
+  return html + "</dl>\n";
+}
+
 }  // namespace
 
 std::string report_html(const ReportDocument& document) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
                      escape_markup(document.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<main>\n<header><h1>" +
-                     escape_markup(document.title) + "</h1><p>" + escape_markup(document.subtitle) + "</p></header>\n";
+                     escape_markup(document.title) + "</h1><p>" + escape_markup(document.subtitle) + "</p></header>\n" + cover_html(document.cover);
   for (const ReportSection& section : document.sections) {
     html += "<section>\n<h2>" + escape_markup(section.title) + "</h2>\n";
     for (const ReportBlock& block : section.blocks) {

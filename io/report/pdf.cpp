@@ -13,7 +13,9 @@ constexpr double margin = 50.0;
 constexpr double content_width = PdfCanvas::page_width - 2.0 * margin;
 constexpr double content_bottom = PdfCanvas::page_height - 62.0;
 
-const TextStyle title_style{20.0, palette::text, true};
+constexpr double fact_label = 110.0;
+
+const TextStyle cover_title_style{26.0, palette::text, true};
 const TextStyle subtitle_style{10.0, palette::secondary, false};
 const TextStyle section_style{14.0, palette::text, true};
 const TextStyle table_title_style{10.0, palette::text, true};
@@ -27,16 +29,48 @@ class PdfReport {
   PdfReport(PdfCanvas& canvas, const ReportDocument& document, int pages) : canvas_(canvas), document_(document), pages_(pages) {}
 
   int print() {
-    y_ += canvas_.text(margin, y_, content_width, print_prose(document_.title), title_style) + 2.0;
-    y_ += canvas_.text(margin, y_, content_width, document_.subtitle, subtitle_style) + 8.0;
-    canvas_.rule(margin, y_, content_width, palette::accent, 1.4);
-    y_ += 6.0;
+    print_cover();
     for (const ReportSection& section : document_.sections) print_section(section);
     finish_page();
     return page_;
   }
 
  private:
+  /// Title, key figures, the map in what room there is, and the facts at its foot.
+  void print_cover() {
+    const ReportCover& cover = document_.cover;
+    canvas_.fill(0.0, 0.0, PdfCanvas::page_width, 8.0, palette::accent);
+    canvas_.bookmark(document_.title, page_);
+    y_ = margin + 14.0;
+    y_ += canvas_.text(margin, y_, content_width, print_prose(document_.title), cover_title_style) + 4.0;
+    y_ += canvas_.text(margin, y_, content_width, document_.subtitle, subtitle_style) + 14.0;
+    if (!cover.figures.empty()) print_block(cover.figures);
+    y_ += 6.0;
+    double facts = 0.0;
+    for (const auto& [label, text] : cover.facts) facts += canvas_.text_height(print_prose(text), body_style, content_width - fact_label) + 3.0;
+    if (cover.map) print_map(*cover.map, content_bottom - facts - 16.0);
+    if (cover.facts.empty()) return;
+    canvas_.rule(margin, y_, content_width, palette::line);
+    y_ += 8.0;
+    for (const auto& [label, text] : cover.facts) {
+      canvas_.text(margin, y_, fact_label, label, {9.0, palette::secondary, false});
+      y_ += canvas_.text(margin + fact_label, y_, content_width - fact_label, print_prose(text), body_style) + 3.0;
+    }
+    finish_page();
+    ++page_;
+    y_ = margin;
+  }
+
+  void print_map(const ReportChart& map, double bottom) {
+    const double caption = canvas_.text_height(print_prose(map.caption), note_style, content_width);
+    const double room = bottom - y_ - caption - 10.0;
+    if (room < 80.0) return;
+    const double scale = std::min(content_width / map.drawing.width, room / map.drawing.height);
+    canvas_.draw(map.drawing, margin + 0.5 * (content_width - map.drawing.width * scale), y_, scale);
+    y_ += map.drawing.height * scale + 4.0;
+    y_ += canvas_.text(margin, y_, content_width, print_prose(map.caption), note_style) + 10.0;
+  }
+
   void print_section(const ReportSection& section) {
     need(150.0);  // a heading does not stand alone at the foot of a page
     if (y_ > margin) y_ += 16.0;

@@ -38,8 +38,9 @@ Result<Done> write_report(const std::string& path, const ReportDocument& documen
   if (suffix == ".csv") {
     return write_whole_file(path, report_csv(document));
   }
+  if (suffix == ".xlsx") return write_report_xlsx(path, document);
   if (suffix == ".pdf") return replace_pdf(path, document);
-  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "'" + suffix + "' is no format of a report", "use .html, .pdf or .csv"});
+  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "'" + suffix + "' is no format of a report", "use .html, .pdf, .xlsx or .csv"});
 }
 
 }  // namespace stemwise

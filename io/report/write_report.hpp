@@ -13,7 +13,10 @@ std::string report_csv(const ReportDocument& document, char delimiter = ',', boo
 /// A4 pages with page numbers and repeated table heads; fonts embedded.
 Result<Done> write_report_pdf(const std::string& path, const ReportDocument& document);
 
-/// By suffix: .html, .csv or .pdf. A whole file or none. An issue for another suffix or a path that cannot be written.
+/// A workbook: a first sheet with the key figures and paragraphs, and one sheet per table, numbers as numbers.
+Result<Done> write_report_xlsx(const std::string& path, const ReportDocument& document);
+
+/// By suffix: .html, .csv, .xlsx or .pdf. A whole file or none. An issue for another suffix or a path that cannot be written.
 Result<Done> write_report(const std::string& path, const ReportDocument& document);
 
 }  // namespace stemwise

@@ -118,6 +118,8 @@ ProjectState sample_project() {
   state.georeference.azimuth_deg = 12.3;
   state.georeference.sd_m = 0.35;
   state.georeference.method = "control points (4)";
+  state.georeference.azimuth_sd_deg = 0.1;
+  state.georeference.residuals = {{"row 2", 1.0 / 3.0, 0.4, true}, {"T-00002\tx", 7.25, std::nullopt, false}};
   state.fusion = FusionPolicy::newest;
   state.dbh_error_m[first->id] = 0.011;
   state.settings = {{"vote.cell_m", "0.5"}, {"seed", "0"}};

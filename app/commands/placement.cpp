@@ -1,0 +1,278 @@
+#include "app/commands/placement.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/geodesy/azimuth.hpp"
+#include "core/geodesy/solve_control_points.hpp"
+#include "core/geodesy/solve_gnss_track.hpp"
+#include "core/survey/tables.hpp"
+#include "io/crs.hpp"
+#include "io/geoid_grid.hpp"
+#include "io/read_control_points.hpp"
+#include "io/read_gnss_track.hpp"
+#include "io/read_trajectory.hpp"
+
+namespace stemwise {
+namespace {
+
+std::optional<std::vector<double>> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  for (const char* at = text.data(); at < text.data() + text.size();) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(at, text.data() + text.size(), number);
+    if (error != std::errc{} || (end != text.data() + text.size() && *end != ',')) return std::nullopt;
+    numbers.push_back(number);
+    at = end + 1;
+  }
+  return numbers;
+}
+
+Placement failed(Console& console, const Issues& issues, ExitCode code = ExitCode::failed) {
+  console.issues(issues);
+  return {code, {}};
+}
+
+/// The inventory that --inventory names, the reference without it; nothing after having said why.
+const Inventory* chosen_inventory(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
+  const Inventory* inventory = options.inventory.empty() ? state.find(state.reference) : state.find(options.inventory);
+  if (inventory == nullptr) {
+    console.error(options.inventory.empty() ? "the project has no reference" : "--inventory " + options.inventory + ": there is no inventory of that name");
+    return nullptr;
+  }
+  if (state.is_placed(inventory->id) || inventory->id == state.reference) return inventory;
+  console.error("--inventory " + inventory->name + ": it has not been aligned, so its coordinates place nothing");
+  return nullptr;
+}
+
+Eigen::Vector3d middle_of(const Inventory& inventory) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Stem& stem : inventory.stems) sum += Eigen::Vector3d(stem.x_m, stem.y_m, stem.z_m.value_or(0.0));
+  return inventory.stems.empty() ? sum : Eigen::Vector3d(sum / static_cast<double>(inventory.stems.size()));
+}
+
+std::vector<ControlPoint> control_points(const std::vector<ControlRow>& rows, const Tables& tables, const std::string& file, Issues& issues) {
+  std::vector<ControlPoint> points;
+  for (const ControlRow& row : rows) {
+    ControlPoint point{row.tree_id.empty() ? "row " + std::to_string(row.row) : row.tree_id, {}, row.has_z, row.on_earth, row.has_height};
+    if (row.in_reference_m) {
+      point.in_reference_m = *row.in_reference_m;
+    } else {
+      const auto tree = std::find_if(tables.trees.begin(), tables.trees.end(), [&](const TreeRow& t) {
+        return tree_label(t.tree) == row.tree_id || std::to_string(t.tree.value) == row.tree_id;
+      });
+      if (tree == tables.trees.end()) {
+        issues.push_back({Severity::warning, file, row.row, "tree_id", "there is no tree '" + row.tree_id + "', the row is left out", ""});
+        continue;
+      }
+      point.in_reference_m = tree->position_m;
+      point.has_z = tree->has_z;
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// Takes heights above the geoid to heights above the ellipsoid. The geoid is taken about the first of them.
+template <class Points>
+Issues lift_to_ellipsoid(Points& points, const std::string& name) {
+  if (name.empty() || points.empty()) return {};
+  Georeference about;
+  about.origin = points.front().on_earth;
+  const auto geoid = named_geoid(name, about.origin);
+  if (!geoid) return geoid.issues;
+  about.geoid = *geoid;
+  for (auto& point : points) point.on_earth.height_m += geoid_height_m(about, point.on_earth);
+  return {};
+}
+
+void say_residuals(const std::vector<ControlResidual>& residuals, Console& console) {
+  for (const ControlResidual& r : residuals) {
+    char text[200];
+    std::snprintf(text, sizeof text, "%s: residual %.2f m", r.name.c_str(), r.residual_m);
+    std::string line = text;
+    if (r.leave_one_out_m) {
+      std::snprintf(text, sizeof text, ", %.2f m against the others", *r.leave_one_out_m);
+      line += text;
+    }
+    console.say(line + (r.used ? "" : " (left out)"));
+  }
+}
+
+/// The inventory's stems as control points: what the map says of them, and where the alignment has them.
+std::vector<ControlPoint> stems_as_control_points(const Inventory& inventory, const ProjectState& state, const CrsTransform& to_wgs84) {
+  std::vector<ControlPoint> points;
+  const std::size_t most = 200, n = inventory.stems.size(), wanted = std::min(most, n);
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const std::size_t i = k * n / wanted;
+    const Stem& stem = inventory.stems[i];
+    const auto at = to_wgs84({stem.x_m, stem.y_m, stem.z_m.value_or(0.0)});
+    if (!at) continue;
+    const StemRef ref{inventory.id, static_cast<std::int64_t>(i)};
+    points.push_back({stem.source_id, state.stem_in_reference_m(ref), stem.z_m.has_value(), {at->y(), at->x(), at->z()}, stem.z_m.has_value()});
+  }
+  return points;
+}
+
+Placement place_by_crs_of_another(const GeoreferenceOptions& options, const ProjectState& state, int epsg, const Inventory& inventory, Console& console) {
+  const auto to_wgs84 = CrsTransform::between(epsg, wgs84_epsg);
+  if (!to_wgs84) return failed(console, to_wgs84.issues);
+  std::vector<ControlPoint> points = stems_as_control_points(inventory, state, *to_wgs84);
+  if (Issues issues = lift_to_ellipsoid(points, options.geoid); has_error(issues)) return failed(console, issues);
+  ControlSettings settings;
+  settings.level = LevelChoice::level;
+  const auto report = solve_control_points(points, settings);
+  if (!report) return failed(console, report.issues);
+  Placement placement{ExitCode::done, report->georeference};
+  // The stems share the error of the coordinates' origin: what they say of each other is no measure of it.
+  placement.georeference.sd_m = options.sd_m.value_or(0.0);
+  placement.georeference.residuals.clear();
+  placement.georeference.method = "CRS of " + inventory.name + ", " + crs_name(epsg);
+  return placement;
+}
+
+std::vector<TrackPoint> track_points(const std::vector<std::optional<TrajectoryPose>>& poses, const RigidTransform& reference_from_inventory) {
+  std::vector<TrackPoint> track;
+  for (const auto& pose : poses)
+    if (pose) track.push_back({pose->timestamp_s, reference_from_inventory * pose->survey_from_frame.translation_m});
+  return track;
+}
+
+LevelChoice level_choice(const GeoreferenceOptions& options) {
+  return options.level ? LevelChoice::level : options.tilted ? LevelChoice::tilted : LevelChoice::automatic;
+}
+
+}  // namespace
+
+Placement placement_refused(Console& console, ExitCode code, const std::string& text) {
+  console.error(text);
+  return {code, {}};
+}
+
+Result<LocalGeoid> named_geoid(const std::string& name, const Geodetic& origin) {
+  if (name.empty()) return LocalGeoid{};
+  return is_geoid_grid(name) ? local_geoid_of_grid(name, origin) : local_geoid_of_model(name, origin);
+}
+
+Result<double> true_azimuth_deg(double azimuth_deg, const GeoreferenceOptions& options, const ProjectState& state, const Geodetic& at) {
+  const auto kind = azimuth_kind_from(options.azimuth_kind);
+  if (kind == AzimuthKind::grid) {
+    const auto convergence_deg = utm_convergence_deg(at);
+    if (!convergence_deg) return Result<double>::failure(Issue{Severity::error, "", 0, "", "there is no UTM grid here to count an azimuth from", "give the azimuth from true north"});
+    return azimuth_deg + *convergence_deg;
+  }
+  if (kind != AzimuthKind::magnetic) return azimuth_deg;
+  if (options.declination_deg) return azimuth_deg + *options.declination_deg;
+  const Inventory* reference = state.find(state.reference);
+  if (reference == nullptr || !reference->date)
+    return Result<double>::failure(Issue{Severity::error, "", 0, "", "the reference has no date, so nobody knows the magnetic declination of its day", "give --declination DEG (east is positive)"});
+  const auto declination = declination_deg(at, *reference->date, options.magnetic_model);
+  if (!declination) return declination;
+  return azimuth_deg + *declination;
+}
+
+Placement place_by_anchor(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
+  const std::string& text = options.anchor;
+  const auto numbers = numbers_of(text);
+  if (!numbers || numbers->size() != 4)
+    return placement_refused(console, ExitCode::usage, "--anchor " + text + ": expected LAT,LON,H,AZIMUTH, for example 48.77214,9.16621,412.5,37");
+  if (std::abs((*numbers)[0]) > 90.0 || std::abs((*numbers)[1]) > 360.0)
+    return placement_refused(console, ExitCode::usage, "--anchor " + text + ": latitude and longitude are degrees");
+  Georeference georeference;
+  georeference.kind = GeoreferenceKind::anchor;
+  georeference.origin = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const auto azimuth = true_azimuth_deg((*numbers)[3], options, state, georeference.origin);
+  if (!azimuth) return failed(console, azimuth.issues);
+  const auto geoid = named_geoid(options.geoid, georeference.origin);
+  if (!geoid) return failed(console, geoid.issues);
+  georeference.origin.height_m += geoid->height_m;
+  georeference.azimuth_deg = *azimuth;
+  georeference.sd_m = options.sd_m.value_or(0.0);
+  georeference.method = "anchor";
+  return {ExitCode::done, georeference};
+}
+
+Placement place_by_crs(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
+  const std::string& text = options.crs;
+  int epsg = 0;
+  char end = 0;
+  if (std::sscanf(text.c_str(), "EPSG:%d%c", &epsg, &end) != 1 && std::sscanf(text.c_str(), "epsg:%d%c", &epsg, &end) != 1)
+    return placement_refused(console, ExitCode::usage, "--crs " + text + ": expected EPSG:N, for example EPSG:32632");
+  if (!is_known_epsg(epsg)) return placement_refused(console, ExitCode::usage, "--crs " + text + ": there is no such code");
+  if (is_geographic_epsg(epsg))
+    return placement_refused(console, ExitCode::usage, "--crs " + text + ": the coordinates are metres, so a projected system is needed");
+  const Inventory* inventory = chosen_inventory(options, state, console);
+  if (inventory == nullptr) return {ExitCode::usage, {}};
+  if (inventory->id != state.reference) return place_by_crs_of_another(options, state, epsg, *inventory, console);
+  const auto to_wgs84 = CrsTransform::between(epsg, wgs84_epsg);
+  const auto middle = to_wgs84 ? (*to_wgs84.value)(middle_of(*inventory)) : std::nullopt;
+  if (!middle) return placement_refused(console, ExitCode::failed, "--crs " + text + ": the coordinates of " + inventory->name + " have no place in it");
+  Georeference georeference;
+  georeference.kind = GeoreferenceKind::crs;
+  georeference.epsg = epsg;
+  georeference.origin = {middle->y(), middle->x(), middle->z()};
+  georeference.anchored_point_m = middle_of(*inventory);
+  georeference.sd_m = options.sd_m.value_or(0.0);
+  georeference.method = "CRS " + crs_name(epsg);
+  return {ExitCode::done, georeference};
+}
+
+Placement place_by_control_points(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
+  const auto rows = read_control_points(options.control);
+  console.issues(rows.issues);
+  if (!rows) return {ExitCode::unusable_input, {}};
+  Issues issues;
+  std::vector<ControlPoint> points = control_points(*rows, derive_tables(state), options.control, issues);
+  console.issues(issues);
+  if (Issues wrong = lift_to_ellipsoid(points, options.geoid); has_error(wrong)) return failed(console, wrong);
+  ControlSettings settings;
+  settings.level = level_choice(options);
+  settings.translation_only = options.translation_only;
+  settings.outlier_m = options.outlier_m;
+  if (options.translation_only && !points.empty()) {
+    const auto azimuth = true_azimuth_deg(*options.azimuth_deg, options, state, points.front().on_earth);
+    if (!azimuth) return failed(console, azimuth.issues);
+    settings.azimuth_deg = *azimuth;
+  }
+  const Result<ControlReport> report = solve_control_points(points, settings);
+  if (report) say_residuals(report->georeference.residuals, console);
+  console.issues(report.issues);
+  if (!report) return {ExitCode::failed, {}};
+  char text[160];
+  std::snprintf(text, sizeof text, "%s: RMS %.2f m in the plane%s", report->georeference.method.c_str(), report->rms_m,
+                report->tilted ? (", the frame leans " + std::to_string(report->georeference.roll_deg) + " and " + std::to_string(report->georeference.pitch_deg) + " degrees").c_str() : "");
+  console.say(text);
+  return {ExitCode::done, report->georeference};
+}
+
+Placement place_by_gnss(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
+  const Inventory* inventory = chosen_inventory(options, state, console);
+  if (inventory == nullptr) return {ExitCode::usage, {}};
+  auto fixes = read_gnss_track(options.gnss);
+  console.issues(fixes.issues);
+  if (!fixes) return {ExitCode::unusable_input, {}};
+  const std::string path = options.trajectory.empty() ? (std::filesystem::path(inventory->source.path) / "trajectory.txt").string() : options.trajectory;
+  const auto poses = read_trajectory(path);
+  console.issues(poses.issues);
+  if (!poses) {
+    console.error("--gnss: a track is joined to the trajectory of " + inventory->name + " by time; --trajectory names it where the frame folder has moved, or use --control");
+    return {ExitCode::unusable_input, {}};
+  }
+  if (Issues wrong = lift_to_ellipsoid(*fixes, options.geoid); has_error(wrong)) return failed(console, wrong);
+  GnssSettings settings;
+  settings.time_offset_s = options.time_offset_s;
+  const auto report = solve_gnss_track(track_points(*poses, state.reference_from_inventory(inventory->id)), *fixes, settings);
+  if (report) say_residuals(report->georeference.residuals, console);
+  console.issues(report.issues);
+  if (!report) return {ExitCode::failed, {}};
+  char text[160];
+  std::snprintf(text, sizeof text, "GNSS track: %d of %d fixes used, RMS %.2f m in the plane, azimuth %.2f +- %.2f degrees", report->used, report->fixes, report->rms_m,
+                report->georeference.azimuth_deg, report->georeference.azimuth_sd_deg);
+  console.say(text);
+  return {ExitCode::done, report->georeference};
+}
+
+}  // namespace stemwise

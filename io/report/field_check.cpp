@@ -1,0 +1,68 @@
+#include "io/report/field_check.hpp"
+
+#include "io/earth_frame.hpp"
+#include "io/replace_file.hpp"
+#include "io/report/drawing.hpp"
+#include "io/report/number_text.hpp"
+#include "io/write_whole_file.hpp"
+
+namespace stemwise {
+namespace {
+
+std::string way_text(const FieldBearing& b) {
+  return fixed(b.distance_m, 2) + " m at " + fixed(b.azimuth_deg, 0) + "\u00b0 from " + tree_label(b.from) + (b.dbh_m ? " (" + fixed(*b.dbh_m * 100.0, 0) + " cm)" : "");
+}
+
+ReportTable sheet(const FieldCheck& check) {
+  ReportTable table{"Trees to look at", "", {{"Tree", false}, {"What is doubtful", false}, {"DBH cm"}, {"From", false}, {"m"}, {"Azimuth \u00b0"}, {"From", false}, {"m"}, {"Azimuth \u00b0"},
+                    {"From", false}, {"m"}, {"Azimuth \u00b0"}, {"Found DBH, note", false}}, {}};
+  for (const FieldCheckRow& row : check.rows) {
+    std::vector<std::string> cells{tree_label(row.tree), row.why, fixed(row.dbh_m, 1, 100.0)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i < row.bearings.size()) cells.insert(cells.end(), {tree_label(row.bearings[i].from), fixed(row.bearings[i].distance_m, 2), fixed(row.bearings[i].azimuth_deg, 0)});
+      else cells.insert(cells.end(), 3, "");
+    }
+    cells.push_back("");
+    table.rows.push_back(std::move(cells));
+  }
+  table.note = "Stand at the tree under \"From\", look along the azimuth (degrees clockwise from " + check.north +
+               "), and go the distance, measured horizontally from stem centre to stem centre. The trees under \"From\" are the nearest that every survey agrees on.";
+  return table;
+}
+
+}  // namespace
+
+ReportDocument make_field_check_document(const FieldCheck& check, const std::string& title, const std::string& software) {
+  ReportDocument document;
+  document.title = "Field check" + (title.empty() ? std::string() : ": " + title);
+  document.subtitle = std::to_string(check.rows.size()) + " trees, most doubtful first; azimuths from " + check.north;
+  document.footer = software;
+  ReportSection section{"Field check sheet", {}};
+  if (check.rows.empty()) section.blocks.emplace_back(ReportParagraph{"No tree is in doubt: there is nothing to check."});
+  else section.blocks.emplace_back(sheet(check));
+  document.sections.push_back(std::move(section));
+  return document;
+}
+
+Result<Done> write_field_check_gpx(const std::string& path, const FieldCheck& check, const Georeference& georeference, const std::string& software) {
+  if (georeference.kind == GeoreferenceKind::none)
+    return Result<Done>::failure(Issue{Severity::error, path, 0, "", "GPX needs a place on the earth and the project has no georeference", "give it an anchor, control points or a CRS (stemwise georeference), or write .pdf or .csv"});
+  const auto frame = EarthFrame::of(georeference);
+  if (!frame) return Result<Done>::failure(frame.issues);
+  std::string gpx = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"" + escape_markup(software) +
+                    "\" xmlns=\"http://www.topografix.com/GPX/1/1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+                    "xsi:schemaLocation=\"http://www.topografix.com/GPX/1/1 http://www.topografix.com/GPX/1/1/gpx.xsd\">\n"
+                    "<metadata><name>Field check</name><desc>Trees in doubt; azimuths from " + escape_markup(check.north) + "; heights above " + escape_markup(frame->height_datum()) +
+                    "</desc><time>" + timestamp_utc() + "</time></metadata>\n";
+  for (const FieldCheckRow& row : check.rows) {
+    const auto at = frame->geodetic_from_reference(row.position_m);
+    if (!at) continue;
+    std::string ways;
+    for (const FieldBearing& b : row.bearings) ways += "; " + way_text(b);
+    gpx += "<wpt lat=\"" + fixed(at->latitude_deg, 9) + "\" lon=\"" + fixed(at->longitude_deg, 9) + "\">" + (row.has_z ? "<ele>" + fixed(frame->given_height_m(*at), 2) + "</ele>" : "") + "<name>" +
+           tree_label(row.tree) + "</name><desc>" + escape_markup(row.why + ways) + "</desc><sym>Flag, Red</sym></wpt>\n";
+  }
+  return write_whole_file(path, gpx + "</gpx>\n");
+}
+
+}  // namespace stemwise

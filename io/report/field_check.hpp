@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "core/base/result.hpp"
+#include "core/survey/field_check.hpp"
+#include "io/report/document.hpp"
+
+namespace stemwise {
+
+/// The sheet to take outside: a row per doubtful tree with room for what is found there. `title`: the project's.
+ReportDocument make_field_check_document(const FieldCheck& check, const std::string& title, const std::string& software);
+
+/// Waypoints (GPX 1.1), named by tree, described by what is doubtful and how to get there. Fails without a georeference.
+Result<Done> write_field_check_gpx(const std::string& path, const FieldCheck& check, const Georeference& georeference, const std::string& software);
+
+}  // namespace stemwise

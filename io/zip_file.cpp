@@ -1,0 +1,32 @@
+#include "io/zip_file.hpp"
+
+#include <cpl_conv.h>
+
+#include <filesystem>
+
+#include "io/gdal_session.hpp"
+#include "io/replace_file.hpp"
+
+namespace stemwise {
+
+Result<Done> write_zip(const std::string& path, const std::vector<ZipEntry>& entries) {
+  const GdalMessages messages;
+  const std::string temporary = temporary_beside(path);
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  void* zip = CPLCreateZip(temporary.c_str(), nullptr);
+  bool complete = zip != nullptr;
+  for (const ZipEntry& entry : entries) {
+    if (!complete) break;
+    complete = CPLCreateFileInZip(zip, entry.name.c_str(), nullptr) == CE_None;
+    complete = complete && CPLWriteFileInZip(zip, entry.bytes.data(), static_cast<int>(entry.bytes.size())) == CE_None;
+    complete = complete && CPLCloseFileInZip(zip) == CE_None;
+  }
+  if (zip != nullptr) complete = CPLCloseZip(zip) == CE_None && complete;
+  if (complete) return replace_file(temporary, path);
+  std::filesystem::remove(temporary, ignored);
+  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written" + (messages.errors().empty() ? "" : ": " + messages.last_error()),
+                                     "does the folder exist, and may you write there?"});
+}
+
+}  // namespace stemwise
