@@ -16,18 +16,45 @@ void PlanarTreeStore::add(const Scene& scene) {
     dbh_m_.push_back(static_cast<float>(tree.dbh_m));
   }
   first_.push_back(x_m_.size());
+  add_strips();
+}
+
+void PlanarTreeStore::add_strips() {
+  const std::size_t first = first_[first_.size() - 2], count = first_.back() - first;
+  const float* x = x_m_.data() + first;
+  const float extent_m = count > 0 ? x[count - 1] - x[0] : 0.0F;
+  const float per_m = extent_m > 0.0F ? static_cast<float>(strips) / extent_m : 0.0F;
+  strips_per_m_.push_back(per_m);
+  std::size_t tree = 0;
+  for (std::size_t strip = 0; strip < strips; ++strip) {
+    while (tree < count && static_cast<std::size_t>((x[tree] - x[0]) * per_m) < strip) ++tree;
+    strip_start_.push_back(static_cast<std::uint8_t>(tree));
+  }
 }
 
 void PlanarTreeStore::clear() {
   x_m_.clear();
   y_m_.clear();
   dbh_m_.clear();
+  strip_start_.clear();
+  strips_per_m_.clear();
   first_.assign(1, 0);
+}
+
+std::size_t PlanarTrees::first_near(float x) const {
+  if (x_m.empty()) return 0;
+  const float strip = (x - x_m.front()) * strips_per_m;  // the same expression as in add_strips: it grows with x
+  if (!(strip > 0.0F)) return 0;
+  return strip_start[std::min(static_cast<std::size_t>(strip), strip_start.size() - 1)];
 }
 
 PlanarTrees PlanarTreeStore::trees(std::size_t scene) const {
   const std::size_t first = first_[scene], count = first_[scene + 1] - first;
-  return {{x_m_.data() + first, count}, {y_m_.data() + first, count}, {dbh_m_.data() + first, count}};
+  return {{x_m_.data() + first, count},
+          {y_m_.data() + first, count},
+          {dbh_m_.data() + first, count},
+          {strip_start_.data() + scene * strips, strips},
+          strips_per_m_[scene]};
 }
 
 Fields MatchTreesSettings::fields(const std::string& prefix) {
@@ -35,6 +62,13 @@ Fields MatchTreesSettings::fields(const std::string& prefix) {
           {prefix + ".fine_m", "m", "Last radius: a pair within it counts", &fine_m},
           {prefix + ".steps", "", "Poses solved on the way from the first radius to the last", &steps},
           {prefix + ".tau_dbh_m", "m", "Diameters of a pair differ by at most this", &tau_dbh_m}};
+}
+
+TreeMatcher::TreeMatcher(const MatchTreesSettings& settings) : settings_(settings) {
+  for (int step = 0; step < settings.steps; ++step) {
+    const double fraction = settings.steps > 1 ? static_cast<double>(step) / (settings.steps - 1) : 1.0;
+    radii_m_.push_back(settings.coarse_m * std::pow(settings.fine_m / settings.coarse_m, fraction));
+  }
 }
 
 void TreeMatcher::pair(const PlanarTrees& query, const PlanarTrees& candidate, const PlanarPose& pose, double radius_m) {
@@ -52,8 +86,7 @@ void TreeMatcher::pair(const PlanarTrees& query, const PlanarTrees& candidate, c
     float nearest_sq = radius_sq;
     std::size_t nearest = count;
     // Trees lie in order of x: only a narrow strip of them can be near enough.
-    const auto first = std::lower_bound(candidate.x_m.begin(), candidate.x_m.end(), x - radius);
-    for (auto j = static_cast<std::size_t>(first - candidate.x_m.begin()); j < count && candidate.x_m[j] <= x + radius; ++j) {
+    for (std::size_t j = candidate.first_near(x - radius); j < count && candidate.x_m[j] <= x + radius; ++j) {
       const float dx = x - candidate.x_m[j], dy = y - candidate.y_m[j];
       const float distance_sq = dx * dx + dy * dy;
       if (distance_sq < nearest_sq && std::abs(dbh - candidate.dbh_m[j]) < tau_dbh) nearest_sq = distance_sq, nearest = j;
@@ -81,9 +114,7 @@ PlanarPose TreeMatcher::fit(const PlanarTrees& query, const PlanarTrees& candida
 
 PlanarPose TreeMatcher::match(const PlanarTrees& query, const PlanarTrees& candidate, PlanarPose start) {
   PlanarPose pose = start;
-  for (int step = 0; step < settings_.steps; ++step) {
-    const double fraction = settings_.steps > 1 ? static_cast<double>(step) / (settings_.steps - 1) : 1.0;
-    const double radius_m = settings_.coarse_m * std::pow(settings_.fine_m / settings_.coarse_m, fraction);
+  for (const double radius_m : radii_m_) {
     pair(query, candidate, pose, radius_m);
     if (pairs_.size() < 3) return pose;
     pose = fit(query, candidate, radius_m);

@@ -15,20 +15,29 @@ struct PlanarTrees {
   std::span<const float> x_m;
   std::span<const float> y_m;
   std::span<const float> dbh_m;
+  std::span<const std::uint8_t> strip_start;  ///< per strip of x the first tree in it or beyond
+  float strips_per_m = 0.0F;
   std::size_t size() const { return x_m.size(); }
+  /// A tree such that none before it has an x of `x` or more. O(1).
+  std::size_t first_near(float x) const;
 };
 
-/// Scenes' trees in three flat arrays.
+/// Scenes' trees in flat arrays.
 class PlanarTreeStore {
 public:
+  static constexpr std::size_t strips = 64;  ///< of a scene's extent in x
   void add(const Scene& scene);
   void clear();
   PlanarTrees trees(std::size_t scene) const;
   std::size_t scene_count() const { return first_.size() - 1; }
 
 private:
+  void add_strips();
+
   std::vector<float> x_m_, y_m_, dbh_m_;
   std::vector<std::size_t> first_{0};
+  std::vector<std::uint8_t> strip_start_;  ///< `strips` per scene
+  std::vector<float> strips_per_m_;        ///< per scene
 };
 
 /// Pairing of the trees of two scenes, coarse to fine (method.md, sections 7.2 and 12).
@@ -49,7 +58,7 @@ struct TreePair {
 /// Pairs the trees of a query with those of candidates, one to one. Keeps its buffers: one per thread.
 class TreeMatcher {
 public:
-  explicit TreeMatcher(const MatchTreesSettings& settings) : settings_(settings) {}
+  explicit TreeMatcher(const MatchTreesSettings& settings);
   /// From a start pose: pairs within the coarse radius, new pose, and so on to the fine radius. Gives the final pose;
   /// `pairs()` are those within the fine radius of it. Stops where fewer than 3 pairs are left.
   PlanarPose match(const PlanarTrees& query, const PlanarTrees& candidate, PlanarPose start);
@@ -61,6 +70,7 @@ private:
   PlanarPose fit(const PlanarTrees& query, const PlanarTrees& candidate, double radius_m);
 
   MatchTreesSettings settings_;
+  std::vector<double> radii_m_;  ///< one per step
   std::vector<TreePair> best_of_candidate_;
   std::vector<TreePair> pairs_;
   std::vector<PlanarPair> points_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 
 #include "core/treeloc/chance_evidence.hpp"
 
@@ -11,12 +12,41 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds(Clock::time_point from, Clock::time_point to) { return std::chrono::duration<double>(to - from).count(); }
 
+/// Where scenes stand in their survey, in order of x.
+class ScenePositions {
+public:
+  void update(std::span<const Scene> scenes) {
+    for (std::size_t s = by_x_.size(); s < scenes.size(); ++s) {
+      const Eigen::Vector3d& at = scenes[s].survey_from_scene.translation_m;
+      by_x_.push_back({at.x(), at.y(), static_cast<std::uint32_t>(s)});
+    }
+    std::sort(by_x_.begin(), by_x_.end(), [](const Place& a, const Place& b) { return std::tie(a.x, a.scene) < std::tie(b.x, b.scene); });
+  }
+  /// Calls take(squared planar distance, scene) for the scenes nearer than `radius_m`.
+  template <class Take>
+  void each_near(const Eigen::Vector3d& here, double radius_m, Take take) const {
+    const auto before = [&](const Place& p) { return p.x < here.x() - radius_m; };
+    for (auto p = std::partition_point(by_x_.begin(), by_x_.end(), before); p != by_x_.end() && p->x <= here.x() + radius_m; ++p) {
+      const double dx = p->x - here.x(), dy = p->y - here.y();
+      if (const double distance_sq = dx * dx + dy * dy; distance_sq < radius_m * radius_m) take(distance_sq, p->scene);
+    }
+  }
+
+private:
+  struct Place {
+    double x, y;
+    std::uint32_t scene;
+  };
+  std::vector<Place> by_x_;
+};
+
 struct Database {
   explicit Database(const Settings& s) : settings(s), index(s.triangles) {}
   Settings settings;
   std::vector<Scene> scenes;
   PlanarTreeStore trees;
   TriangleIndex index;
+  ScenePositions positions;
 };
 
 /// A verified scene before its pose is refined.
@@ -80,12 +110,9 @@ private:
     const RigidTransform survey_from_query = survey_from_aligned(from.scene) * from.pose.lifted();
     const Eigen::Vector3d here = survey_from_query.translation_m;
     nearby_.clear();
-    const double radius_sq = db_.settings.verify.propagate_radius_m * db_.settings.verify.propagate_radius_m;
-    const std::size_t end = std::min<std::size_t>(scene_limit, db_.scenes.size());
-    for (std::size_t s = 0; s < end; ++s) {
-      const double distance_sq = (db_.scenes[s].survey_from_scene.translation_m - here).head<2>().squaredNorm();
-      if (distance_sq < radius_sq) nearby_.push_back({distance_sq, static_cast<std::uint32_t>(s)});
-    }
+    db_.positions.each_near(here, db_.settings.verify.propagate_radius_m, [&](double distance_sq, std::uint32_t scene) {
+      if (scene < scene_limit) nearby_.push_back({distance_sq, scene});
+    });
     std::sort(nearby_.begin(), nearby_.end());
     if (nearby_.size() > static_cast<std::size_t>(db_.settings.verify.propagate_most)) {
       nearby_.resize(static_cast<std::size_t>(db_.settings.verify.propagate_most));
@@ -179,6 +206,7 @@ public:
       db_.trees.add(scene);
       db_.scenes.push_back(std::move(scene));
     }
+    db_.positions.update(db_.scenes);
   }
   const std::vector<Scene>& scenes() const override { return db_.scenes; }
   std::unique_ptr<QueryWorker> worker() const override { return std::make_unique<StemwiseWorker>(db_); }

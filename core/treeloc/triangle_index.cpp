@@ -31,7 +31,7 @@ std::vector<Block> describe_blocks(std::span<const Scene> scenes, const Triangle
 }
 
 Posting posting_of(const Triangle& t, std::uint32_t scene) {
-  return {scene, t.origin_x_cm, t.origin_y_cm, t.yaw, {t.dbh_cm[0], t.dbh_cm[1], t.dbh_cm[2]}};
+  return {scene, t.yaw, {t.dbh_cm[0], t.dbh_cm[1], t.dbh_cm[2]}};
 }
 
 }  // namespace
@@ -46,13 +46,18 @@ void TriangleIndex::add(std::span<const Scene> scenes, int threads) {
     total += block.triangles.size();
   }
   for (std::size_t k = 1; k < segment.start.size(); ++k) segment.start[k] += segment.start[k - 1];
+  segment.origins.resize(total + near_origins_lanes);
   segment.postings.resize(total);
   std::vector<std::uint32_t> next(segment.start.begin(), segment.start.end() - 1);
   std::uint32_t scene = scene_count_;
   for (Block& block : blocks) {
     std::size_t t = 0;
     for (const std::uint32_t end : block.scene_end) {
-      for (; t < end; ++t) segment.postings[next[block.triangles[t].key]++] = posting_of(block.triangles[t], scene);
+      for (; t < end; ++t) {
+        const std::uint32_t place = next[block.triangles[t].key]++;
+        segment.origins[place] = block.triangles[t].origin;
+        segment.postings[place] = posting_of(block.triangles[t], scene);
+      }
       ++scene;
     }
     block = Block();  // give the memory back as we go

@@ -3,21 +3,21 @@
 #include <span>
 #include <vector>
 
+#include "core/treeloc/near_origins.hpp"
 #include "core/treeloc/triangles.hpp"
 
 namespace stemwise::treeloc {
 
-/// A triangle of the database as the vote needs it: 12 bytes, one after the other.
+/// What the vote needs of a triangle of the database once its origin is near enough: 8 bytes.
 struct Posting {
   std::uint32_t scene = 0;
-  std::int16_t origin_x_cm = 0;
-  std::int16_t origin_y_cm = 0;
   std::uint8_t yaw = 0;
   std::uint8_t dbh_cm[3] = {0, 0, 0};
 };
 
 /// Inverted index from triangle key to the triangles of all scenes that have it (method.md, section 12). A key's postings
-/// are in order of scene. Made of segments, one per `add`, so that a survey can be added to an index.
+/// are in order of scene. Made of segments, one per `add`, so that a survey can be added to an index. Origins lie apart from
+/// the rest of a posting: most postings are turned down by their origin alone.
 class TriangleIndex {
 public:
   explicit TriangleIndex(const TriangleSettings& settings) : settings_(settings), key_count_(TriangleKeys(settings).count()) {}
@@ -28,19 +28,32 @@ public:
   std::uint32_t scene_count() const { return scene_count_; }
   std::size_t segment_count() const { return segments_.size(); }
   std::size_t triangle_count() const;
-  /// Ask for what `postings` will read: first the one, some triangles later the other.
-  void prefetch_start(std::size_t segment, std::uint32_t key) const { __builtin_prefetch(segments_[segment].start.data() + key); }
-  void prefetch_postings(std::size_t segment, std::uint32_t key) const {
-    __builtin_prefetch(segments_[segment].postings.data() + segments_[segment].start[key]);
+
+  /// Places in a segment's arrays.
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  Range range(std::size_t segment, std::uint32_t key) const {
+    const std::uint32_t* start = segments_[segment].start.data() + key;
+    return {start[0], start[1] - start[0]};
   }
-  std::span<const Posting> postings(std::size_t segment, std::uint32_t key) const {
+  /// May be read up to `near_origins_lanes` places beyond the end of any range.
+  const TriangleOrigin* origins(std::size_t segment) const { return segments_[segment].origins.data(); }
+  const Posting* postings(std::size_t segment) const { return segments_[segment].postings.data(); }
+  /// Ask for what `range` and then `origins` will read: first the one, some triangles later the other.
+  void prefetch_range(std::size_t segment, std::uint32_t key) const { __builtin_prefetch(segments_[segment].start.data() + key); }
+  void prefetch_origins(std::size_t segment, std::uint32_t key) const {
     const Segment& s = segments_[segment];
-    return {s.postings.data() + s.start[key], s.postings.data() + s.start[key + 1]};
+    const TriangleOrigin* first = s.origins.data() + s.start[key];
+    __builtin_prefetch(first);
+    __builtin_prefetch(first + 16);  // a cache line
   }
 
 private:
   struct Segment {
     std::vector<std::uint32_t> start;  ///< per key, and one more
+    std::vector<TriangleOrigin> origins;
     std::vector<Posting> postings;
   };
   TriangleSettings settings_;

@@ -1,32 +1,30 @@
 #include "core/treeloc/triangles.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 namespace stemwise::treeloc {
 namespace {
 
 constexpr std::size_t most_trees = Scene::most_trees;
 
-/// To the nearest whole number; for |v| < 32000 (std::lround is a call, and there are three per triangle).
-int rounded(float v) { return static_cast<int>(v + 32768.5F) - 32768; }
+using TreeSet = std::array<std::uint64_t, 4>;
 
-/// Angle of (x, y) in 256ths of a turn, rounded. The polynomial is within 0.1 degrees; a step is 1.4.
-std::uint8_t turn_of(float x, float y) {
-  const float ax = std::abs(x), ay = std::abs(y);
-  const float ratio = std::min(ax, ay) / std::max(std::max(ax, ay), 1e-9F);
-  const float sq = ratio * ratio;
-  float angle = ((-0.0464964749F * sq + 0.15931422F) * sq - 0.327622764F) * sq * ratio + ratio;
-  if (ay > ax) angle = std::numbers::pi_v<float> / 2 - angle;
-  if (x < 0.0F) angle = std::numbers::pi_v<float> - angle;
-  if (y < 0.0F) angle = -angle;
-  return static_cast<std::uint8_t>(rounded(angle * (128.0F / std::numbers::pi_v<float>)) & 255);
+void insert(TreeSet& set, std::size_t tree) { set[tree / 64] |= std::uint64_t{1} << (tree % 64); }
+bool contains(const TreeSet& set, std::size_t tree) { return (set[tree / 64] >> (tree % 64) & 1U) != 0; }
+
+/// Word `word` of the set of all trees below `tree`.
+std::uint64_t below(std::size_t tree, std::size_t word) {
+  if (tree >= (word + 1) * 64) return ~std::uint64_t{0};
+  return tree <= word * 64 ? 0 : (std::uint64_t{1} << (tree % 64)) - 1;
 }
 
-std::int16_t centimetres(float metres) {
-  return static_cast<std::int16_t>(rounded(std::clamp(metres * 100.0F, -32000.0F, 32000.0F)));
+template <class Take>
+void each(const TreeSet& set, std::size_t words, Take take) {
+  for (std::size_t w = 0; w < words; ++w) {
+    for (std::uint64_t left = set[w]; left != 0; left &= left - 1) take(w * 64 + static_cast<std::size_t>(std::countr_zero(left)));
+  }
 }
 
 }  // namespace
@@ -72,73 +70,89 @@ std::uint32_t TriangleKeys::published_hash(std::uint32_t a, std::uint32_t b, std
 
 TriangleMaker::TriangleMaker(const TriangleSettings& settings) : settings_(settings), keys_(settings) {}
 
-void TriangleMaker::find_neighbours() {
+void TriangleMaker::measure_distances() {
   const std::size_t n = tree_count_;
   distance_.resize(n * n);
   for (std::size_t i = 0; i < n; ++i) {
-    distance_[i * n + i] = 0.0F;
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const float dx = x_[i] - x_[j], dy = y_[i] - y_[j];
-      distance_[i * n + j] = distance_[j * n + i] = std::sqrt(dx * dx + dy * dy);
-    }
-  }
-  neighbour_count_ = std::min<std::size_t>(static_cast<std::size_t>(std::max(0, settings_.neighbours)), n > 0 ? n - 1 : 0);
-  neighbours_.resize(n * neighbour_count_);
-  is_neighbour_.assign(n * n, 0);
-  std::pair<float, std::uint8_t> order[most_trees];
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t count = 0;
+    float* row = distance_.data() + i * n;
+    const float x = x_[i], y = y_[i];
     for (std::size_t j = 0; j < n; ++j) {
-      if (j != i) order[count++] = {distance_[i * n + j], static_cast<std::uint8_t>(j)};
-    }
-    std::nth_element(order, order + neighbour_count_, order + count);
-    for (std::size_t m = 0; m < neighbour_count_; ++m) {
-      neighbours_[i * neighbour_count_ + m] = order[m].second;
-      is_neighbour_[i * n + order[m].second] = 1;
+      const float dx = x - x_[j], dy = y - y_[j];
+      row[j] = std::sqrt(dx * dx + dy * dy);
     }
   }
 }
 
-/// Has `center` both others among its neighbours, so that it makes the same triple?
-bool TriangleMaker::made_by(std::size_t center, std::size_t other, std::size_t another) const {
-  const std::uint8_t* row = is_neighbour_.data() + center * tree_count_;
-  return row[other] != 0 && row[another] != 0;
+void TriangleMaker::find_neighbours() {
+  const std::size_t n = tree_count_;
+  const auto wanted = static_cast<std::ptrdiff_t>(
+      std::min<std::size_t>(static_cast<std::size_t>(std::max(0, settings_.neighbours)), n > 0 ? n - 1 : 0));
+  neighbours_.assign(n, {});
+  neighbour_of_.assign(n, {});
+  nearest_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    // A distance's bits, in order as whole numbers, before the tree's number: one word to compare, equals by number.
+    for (std::size_t j = 0; j < n; ++j) nearest_[j] = std::uint64_t{std::bit_cast<std::uint32_t>(distance_[i * n + j])} << 8 | j;
+    nearest_[i] = nearest_[n - 1];
+    std::nth_element(nearest_.begin(), nearest_.begin() + wanted, nearest_.end() - 1);
+    for (std::ptrdiff_t m = 0; m < wanted; ++m) {
+      const auto other = static_cast<std::size_t>(nearest_[static_cast<std::size_t>(m)] & 255U);
+      insert(neighbours_[i], other);
+      insert(neighbour_of_[other], i);
+    }
+  }
 }
 
-void TriangleMaker::add_triangle(std::size_t i, std::size_t j, std::size_t k) {
-  const std::size_t n = tree_count_;
-  // Vertices with the side opposite, shortest side first.
-  float side[3] = {distance_[j * n + k], distance_[i * n + k], distance_[i * n + j]};
-  std::size_t tree[3] = {i, j, k};
-  const auto order = [&](int a, int b) {
-    if (side[b] < side[a]) std::swap(side[a], side[b]), std::swap(tree[a], tree[b]);
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  if (side[0] < static_cast<float>(settings_.min_side_m) || side[2] > static_cast<float>(settings_.max_side_m)) return;
-  const float x0 = x_[tree[0]], y0 = y_[tree[0]];
-  const float ex = x_[tree[1]] - x0, ey = y_[tree[1]] - y0;  // along the longest side
-  const float fx = x_[tree[2]] - x0, fy = y_[tree[2]] - y0;
-  const float twice_area = ex * fy - ey * fx;
-  const float per_step = 1.0F / static_cast<float>(settings_.step_m);
-  const auto steps = [per_step](float length) { return static_cast<std::uint32_t>(length * per_step); };
-  Triangle& t = triangles_.emplace_back();
-  t.key = keys_.key(steps(side[0]), steps(side[1]), steps(side[2]), steps(std::abs(twice_area) / 2), twice_area > 0.0F);
-  const float cx = x0 + (ex + fx) / 3.0F, cy = y0 + (ey + fy) / 3.0F;
-  const float per_length = 1.0F / side[2];
-  const float cosine = ex * per_length, sine = ey * per_length;
-  t.origin_x_cm = centimetres(-(cosine * cx + sine * cy));
-  t.origin_y_cm = centimetres(sine * cx - cosine * cy);
-  t.yaw = turn_of(ex, ey);
-  for (int v = 0; v < 3; ++v) {
-    t.dbh_cm[v] = dbh_cm_[tree[v]];
-    t.tree[v] = static_cast<std::uint8_t>(tree[v]);
+/// The third trees of the triples that `center` makes with its neighbour `other` and those beyond it: neighbours of `center`
+/// as well, but for triples that a tree before `center` makes too (each triple once).
+TreeSet TriangleMaker::partners(std::size_t center, std::size_t other) const {
+  const TreeSet &near = neighbours_[center], &of_center = neighbour_of_[center], &of_other = neighbour_of_[other];
+  const bool other_comes_first = other < center && contains(neighbours_[other], center);
+  TreeSet set{};
+  for (std::size_t w = 0; w < words_; ++w) {
+    set[w] = near[w] & ~below(other + 1, w) & ~(of_center[w] & of_other[w] & below(center, w));
+    if (other_comes_first) set[w] &= ~neighbours_[other][w];
+  }
+  return set;
+}
+
+void TriangleMaker::add_triangles_of(std::size_t center) {
+  const float* from_center = distance_.data() + center * tree_count_;
+  const auto min_side = static_cast<float>(settings_.min_side_m), max_side = static_cast<float>(settings_.max_side_m);
+  const auto neighbours = static_cast<std::size_t>(std::max(0, settings_.neighbours));
+  batch_.clear(neighbours * neighbours / 2);
+  each(neighbours_[center], words_, [&](std::size_t j) {
+    const float* from_j = distance_.data() + j * tree_count_;
+    each(partners(center, j), words_, [&](std::size_t k) {
+      batch_.add({from_j[k], x_[center], y_[center], static_cast<std::uint8_t>(center)},
+                 {from_center[k], x_[j], y_[j], static_cast<std::uint8_t>(j)},
+                 {from_center[j], x_[k], y_[k], static_cast<std::uint8_t>(k)}, min_side, max_side);
+    });
+  });
+  batch_.compute(1.0F / static_cast<float>(settings_.step_m));
+  append(batch_);
+}
+
+void TriangleMaker::append(const TriangleBatch& batch) {
+  const auto steps = [](std::int32_t n) { return static_cast<std::uint32_t>(n); };
+  const std::size_t first = triangles_.size();
+  triangles_.resize(first + batch.size());
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    Triangle& t = triangles_[first + i];
+    t.key = keys_.key(steps(batch.side_steps(0, i)), steps(batch.side_steps(1, i)), steps(batch.side_steps(2, i)),
+                      steps(batch.area_steps(i)), batch.left_handed(i));
+    t.origin = {batch.origin_x_cm(i), batch.origin_y_cm(i)};
+    t.yaw = batch.yaw(i);
+    for (int v = 0; v < 3; ++v) {
+      t.tree[v] = batch.tree(v, i);
+      t.dbh_cm[v] = dbh_cm_[t.tree[v]];
+    }
   }
 }
 
 const std::vector<Triangle>& TriangleMaker::make(const Scene& scene) {
   tree_count_ = std::min(scene.trees.size(), most_trees);
+  words_ = (tree_count_ + 63) / 64;
   x_.resize(tree_count_);
   y_.resize(tree_count_);
   dbh_cm_.resize(tree_count_);
@@ -148,17 +162,9 @@ const std::vector<Triangle>& TriangleMaker::make(const Scene& scene) {
     dbh_cm_[i] = static_cast<std::uint8_t>(std::clamp(std::lround(scene.trees[i].dbh_m * 100.0), 0L, 255L));
   }
   triangles_.clear();
+  measure_distances();
   find_neighbours();
-  for (std::size_t i = 0; i < tree_count_; ++i) {
-    const std::uint8_t* near = neighbours_.data() + i * neighbour_count_;
-    for (std::size_t a = 0; a < neighbour_count_; ++a) {
-      for (std::size_t b = a + 1; b < neighbour_count_; ++b) {
-        const std::size_t j = near[a], k = near[b];
-        if ((j < i && made_by(j, i, k)) || (k < i && made_by(k, i, j))) continue;  // each triple once
-        add_triangle(i, j, k);
-      }
-    }
-  }
+  for (std::size_t i = 0; i < tree_count_; ++i) add_triangles_of(i);
   return triangles_;
 }
 

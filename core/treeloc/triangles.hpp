@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/base/field.hpp"
+#include "core/treeloc/near_origins.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/triangle_batch.hpp"
 
 namespace stemwise::treeloc {
 
@@ -22,8 +25,7 @@ struct TriangleSettings {
 /// vertex to vertex. Its own frame: origin at the centroid, x along its longest side, from vertex 0 to vertex 1.
 struct Triangle {
   std::uint32_t key = 0;
-  std::int16_t origin_x_cm = 0;  ///< the scene's origin in the triangle's own frame
-  std::int16_t origin_y_cm = 0;
+  TriangleOrigin origin;  ///< the scene's origin in the triangle's own frame
   std::uint8_t yaw = 0;  ///< of the triangle's frame in the scene, in 256ths of a turn
   std::uint8_t dbh_cm[3] = {0, 0, 0};
   std::uint8_t tree[3] = {0, 0, 0};
@@ -61,19 +63,26 @@ public:
   const TriangleKeys& keys() const { return keys_; }
 
 private:
+  /// A set of trees.
+  using TreeSet = std::array<std::uint64_t, 4>;
+
+  void measure_distances();
   void find_neighbours();
-  void add_triangle(std::size_t i, std::size_t j, std::size_t k);
-  bool made_by(std::size_t center, std::size_t other, std::size_t another) const;
+  void add_triangles_of(std::size_t center);
+  TreeSet partners(std::size_t center, std::size_t other) const;
+  void append(const TriangleBatch& batch);
 
   TriangleSettings settings_;
   TriangleKeys keys_;
   std::size_t tree_count_ = 0;
+  std::size_t words_ = 0;  ///< of a TreeSet that are in use
   std::vector<float> x_, y_;
   std::vector<std::uint8_t> dbh_cm_;
-  std::vector<float> distance_;             ///< tree_count_ squared
-  std::vector<std::uint8_t> neighbours_;    ///< per tree, `neighbour_count_` of them
-  std::vector<std::uint8_t> is_neighbour_;  ///< tree_count_ squared
-  std::size_t neighbour_count_ = 0;
+  std::vector<float> distance_;         ///< tree_count_ squared
+  std::vector<std::uint64_t> nearest_;  ///< buffer of find_neighbours
+  std::vector<TreeSet> neighbours_;     ///< per tree: its nearest ones
+  std::vector<TreeSet> neighbour_of_;   ///< per tree: those that have it among their nearest ones
+  TriangleBatch batch_;
   std::vector<Triangle> triangles_;
 };
 

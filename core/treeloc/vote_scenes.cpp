@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,8 @@ Fields VoteSettings::fields(const std::string& prefix) {
 }
 
 SceneVote::SceneVote(const VoteSettings& settings) : settings_(settings) {
+  const auto gate_cm = static_cast<std::int32_t>(std::lround(settings_.gate_m * 100.0));
+  gate_sq_cm_ = gate_cm * gate_cm;
   for (int i = 0; i < directions; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / directions;
     cosine_.push_back(static_cast<float>(std::cos(angle)));
@@ -31,29 +34,57 @@ SceneVote::SceneVote(const VoteSettings& settings) : settings_(settings) {
   }
 }
 
-void SceneVote::collect_hits(const TriangleIndex& index, std::span<const Triangle> query, std::uint32_t scene_limit) {
+/// Adds the places of the postings of `t` whose origin lies within the gate, and asks for the postings themselves.
+void SceneVote::collect_near(const TriangleIndex& index, std::size_t segment, const Triangle& t, std::uint32_t number) {
+  const auto [first, count] = index.range(segment, t.key);
+  const TriangleOrigin* origins = index.origins(segment) + first;
+  const Posting* postings = index.postings(segment) + first;
+  for (std::uint32_t done = 0; done < count; done += near_origins_lanes) {
+    unsigned mask = near_origins_mask(origins + done, t.origin, gate_sq_cm_);
+    if (count - done < near_origins_lanes) mask &= (1U << (count - done)) - 1U;
+    for (; mask != 0; mask &= mask - 1) {
+      const std::uint32_t place = done + static_cast<std::uint32_t>(std::countr_zero(mask));
+      __builtin_prefetch(postings + place);
+      near_.push_back({first + place, number});
+    }
+  }
+}
+
+/// The near postings whose diameters fit vote.
+void SceneVote::vote_near(const TriangleIndex& index, std::size_t segment, std::span<const Triangle> query,
+                          std::uint32_t scene_limit) {
   const int tau_dbh = static_cast<int>(std::lround(settings_.tau_dbh_m * 100.0));
-  const int gate_cm = static_cast<int>(std::lround(settings_.gate_m * 100.0));
-  const int gate_sq = gate_cm * gate_cm;
+  const TriangleOrigin* origins = index.origins(segment);
+  const Posting* postings = index.postings(segment);
+  for (const Near& near : near_) {
+    const Triangle& t = query[near.triangle];
+    const Posting& p = postings[near.place];
+    if (!is_close(t.dbh_cm[0], p.dbh_cm[0], tau_dbh) || !is_close(t.dbh_cm[1], p.dbh_cm[1], tau_dbh) ||
+        !is_close(t.dbh_cm[2], p.dbh_cm[2], tau_dbh) || p.scene >= scene_limit) {
+      continue;
+    }
+    const TriangleOrigin& origin = origins[near.place];
+    const auto yaw = static_cast<std::uint8_t>(p.yaw - t.yaw);
+    if (total_[p.scene]++ == 0) touched_.push_back(p.scene);
+    ++histogram_[p.scene * yaw_bins + yaw / directions_per_bin];
+    hits_.push_back({p.scene, static_cast<std::int16_t>(t.origin.x_cm - origin.x_cm),
+                     static_cast<std::int16_t>(t.origin.y_cm - origin.y_cm), p.yaw, yaw});
+  }
+}
+
+void SceneVote::collect_hits(const TriangleIndex& index, std::span<const Triangle> query, std::uint32_t scene_limit) {
+  constexpr std::size_t per_block = 32, ahead = 8;
   for (std::size_t segment = 0; segment < index.segment_count(); ++segment) {
-    for (std::size_t i = 0; i < query.size(); ++i) {
-      // The index is far larger than the caches: ask ahead.
-      if (i + 16 < query.size()) index.prefetch_start(segment, query[i + 16].key);
-      if (i + 8 < query.size()) index.prefetch_postings(segment, query[i + 8].key);
-      const Triangle& t = query[i];
-      for (const Posting& p : index.postings(segment, t.key)) {
-        if (p.scene >= scene_limit) break;
-        const int dx = t.origin_x_cm - p.origin_x_cm, dy = t.origin_y_cm - p.origin_y_cm;
-        if (std::abs(dx) > gate_cm || std::abs(dy) > gate_cm || dx * dx + dy * dy > gate_sq) continue;
-        if (!is_close(t.dbh_cm[0], p.dbh_cm[0], tau_dbh) || !is_close(t.dbh_cm[1], p.dbh_cm[1], tau_dbh) ||
-            !is_close(t.dbh_cm[2], p.dbh_cm[2], tau_dbh)) {
-          continue;
-        }
-        const auto yaw = static_cast<std::uint8_t>(p.yaw - t.yaw);
-        if (total_[p.scene]++ == 0) touched_.push_back(p.scene);
-        ++histogram_[p.scene * yaw_bins + yaw / directions_per_bin];
-        hits_.push_back({p.scene, static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy), p.yaw, yaw});
+    for (std::size_t first = 0; first < query.size(); first += per_block) {
+      const std::size_t end = std::min(query.size(), first + per_block);
+      near_.clear();
+      for (std::size_t i = first; i < end; ++i) {
+        // The index is far larger than the caches: ask ahead.
+        if (i + 2 * ahead < query.size()) index.prefetch_range(segment, query[i + 2 * ahead].key);
+        if (i + ahead < query.size()) index.prefetch_origins(segment, query[i + ahead].key);
+        collect_near(index, segment, query[i], static_cast<std::uint32_t>(i));
       }
+      vote_near(index, segment, query, scene_limit);
     }
   }
 }

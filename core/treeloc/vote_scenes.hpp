@@ -41,6 +41,12 @@ private:
     std::uint8_t candidate_yaw;
     std::uint8_t yaw_difference;
   };
+  /// A posting that passed the gate for a triangle of the query.
+  struct Near {
+    std::uint32_t place, triangle;
+  };
+  void collect_near(const TriangleIndex& index, std::size_t segment, const Triangle& t, std::uint32_t number);
+  void vote_near(const TriangleIndex& index, std::size_t segment, std::span<const Triangle> query, std::uint32_t scene_limit);
   void collect_hits(const TriangleIndex& index, std::span<const Triangle> query, std::uint32_t scene_limit);
   void rank_scenes();
   int peak_of(std::uint32_t scene, int& bin) const;
@@ -48,7 +54,9 @@ private:
   PlanarPose pose_from_hits(std::span<const Hit> hits, int bin) const;
 
   VoteSettings settings_;
+  std::int32_t gate_sq_cm_ = 0;
   std::vector<float> cosine_, sine_;  ///< of the 256 directions
+  std::vector<Near> near_;
   std::vector<Hit> hits_;
   std::vector<std::uint16_t> histogram_;  ///< yaw_bins per scene; zero between queries
   std::vector<std::uint32_t> total_;      ///< per scene; zero between queries
