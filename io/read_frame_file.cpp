@@ -9,6 +9,7 @@
 
 #include "io/parse_decimal.hpp"
 #include "io/read_whole_file.hpp"
+#include "io/scan_decimal.hpp"
 
 namespace stemwise {
 namespace {
@@ -140,6 +141,39 @@ bool read_fields(std::string_view line, const Header& header, const Issue& place
   return false;
 }
 
+/// True or False, in the spelling that a frame folder has most often.
+ScannedDecimal scan_flag(const char* at) {
+  const auto begins = [at](std::string_view word) {
+    std::size_t same = 0;
+    while (same < word.size() && at[same] == word[same]) ++same;
+    return same == word.size();
+  };
+  if (begins("True")) return {at + 4, 1.0, true};
+  return begins("False") ? ScannedDecimal{at + 5, 0.0, true} : ScannedDecimal{};
+}
+
+/// The fast path for a row without fault: plain numbers and empty fields, all of them there. The row's fields, and where the
+/// next line begins; null for any other row, good or bad: that is for read_fields. Needs a line end at the text's end.
+const char* read_clean_row(const char* at, const Header& header, Row& row) {
+  const std::size_t fields = header.column_of_field.size();
+  for (std::size_t field = 0; field < fields; ++field) {
+    const std::size_t column = header.column_of_field[field];
+    if (column == not_used) {
+      while (*at != header.delimiter && *at != '\n') ++at;
+    } else if (*at != header.delimiter && *at != '\n' && *at != '\r') {
+      ScannedDecimal number = scan_decimal(at);
+      if (!number.clean && column == reconstructed) number = scan_flag(at);
+      if (!number.clean) return nullptr;
+      row.value[column] = number.value;
+      row.given[column] = true;
+      at = number.end;
+    }
+    if (field + 1 < fields && *at++ != header.delimiter) return nullptr;
+  }
+  if (*at == '\r') ++at;
+  return *at == '\n' ? at + 1 : nullptr;
+}
+
 /// What is wrong with a row whose fields are numbers; nothing when it is a stem.
 std::optional<Issue> check_row(const Row& row, const Header& header, const Issue& place) {
   for (const Column c : {location_x, location_y}) {
@@ -160,8 +194,7 @@ std::optional<Issue> check_row(const Row& row, const Header& header, const Issue
   return issue;
 }
 
-Stem stem_from(const Row& row, const Header& header, std::int64_t line_number) {
-  Stem stem;
+void fill_stem(Stem& stem, const Row& row, const Header& header, std::int64_t line_number) {
   stem.source_id = std::to_string(line_number);
   stem.source_row = line_number;
   stem.x_m = row.value[location_x];
@@ -177,7 +210,6 @@ Stem stem_from(const Row& row, const Header& header, std::int64_t line_number) {
   if (row.given[reconstructed]) stem.reconstructed = row.value[reconstructed] != 0.0;
   if (row.given[score]) stem.score = row.value[score];
   if (row.given[clusters]) stem.number_clusters = static_cast<int>(std::clamp(row.value[clusters], 0.0, 1e6));
-  return stem;
 }
 
 std::optional<Issue> missing_column(const Header& header, const std::string& path) {
@@ -195,6 +227,58 @@ std::optional<Issue> missing_column(const Header& header, const std::string& pat
                "expected a header with location_x, location_y and dbh or dbh_approximation"};
 }
 
+/// The rows of a text that ends with a line end behind its end.
+class RowReader {
+public:
+  RowReader(std::string_view rows, const Header& header, const std::string& path)
+      : rest_(rows), header_(header), place_{Severity::warning, path, 0, "", "", ""} {
+    stems_.reserve(static_cast<std::size_t>(std::count(rows.begin(), rows.end(), '\n')) + 1);
+  }
+
+  Result<std::vector<Stem>> read() {
+    for (line_number_ = 2; !rest_.empty(); ++line_number_) {
+      Row row;
+      if (const char* next = read_clean_row(rest_.data(), header_, row)) {
+        rest_.remove_prefix(std::min(static_cast<std::size_t>(next - rest_.data()), rest_.size()));
+        take(row);
+      } else {
+        read_carefully();
+      }
+    }
+    return {std::move(stems_), std::move(issues_)};
+  }
+
+private:
+  void read_carefully() {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (trimmed(line).empty()) return;
+    Row row;
+    if (read_fields(line, header_, place_, row, issues_)) {
+      take(row);
+    } else {
+      issues_.back().row = line_number_;
+    }
+  }
+
+  void take(const Row& row) {
+    if (auto issue = check_row(row, header_, place_)) {
+      issue->row = line_number_;
+      issues_.push_back(std::move(*issue));
+    } else {
+      fill_stem(stems_.emplace_back(), row, header_, line_number_);
+    }
+  }
+
+  std::string_view rest_;
+  const Header& header_;
+  Issue place_;
+  std::int64_t line_number_ = 0;
+  std::vector<Stem> stems_;
+  Issues issues_;
+};
+
 }  // namespace
 
 Result<std::vector<Stem>> read_frame_file(const std::string& path) {
@@ -206,27 +290,7 @@ Result<std::vector<Stem>> read_frame_file(const std::string& path) {
   const Header header = read_header(rest.substr(0, header_end));
   if (const auto missing = missing_column(header, path)) return Result<Stems>::failure(*missing);
   rest.remove_prefix(std::min(header_end + 1, rest.size()));
-  Issues issues;
-  Stems stems;
-  stems.reserve(static_cast<std::size_t>(std::count(rest.begin(), rest.end(), '\n')) + 1);
-  const Issue place{Severity::warning, path, 0, "", "", ""};
-  for (std::int64_t line_number = 2; !rest.empty(); ++line_number) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (trimmed(line).empty()) continue;
-    const std::size_t known_issues = issues.size();
-    Row row;
-    if (read_fields(line, header, place, row, issues)) {
-      if (auto issue = check_row(row, header, place)) {
-        issues.push_back(std::move(*issue));
-      } else {
-        stems.push_back(stem_from(row, header, line_number));
-      }
-    }
-    if (issues.size() > known_issues) issues.back().row = line_number;
-  }
-  return {std::move(stems), std::move(issues)};
+  return RowReader(rest, header, path).read();
 }
 
 }  // namespace stemwise

@@ -20,6 +20,7 @@ std::optional<FileBytes> read_whole_file(const std::string& path) {
       if (got <= 0) break;
       bytes->size += static_cast<std::size_t>(got);
     }
+    if (bytes) bytes->data[bytes->size] = '\n';
   }
   ::close(file);
   return bytes;

@@ -6,7 +6,8 @@
 
 namespace stemwise {
 
-/// A file's bytes in one allocation that is not cleared first.
+/// A file's bytes in one allocation that is not cleared first. Behind them lies a line end, so that a parser need not look
+/// for the end of the text at every character.
 struct FileBytes {
   std::unique_ptr<char[]> data;
   std::size_t size = 0;

@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include "io/parse_decimal.hpp"
+#include "io/read_frame_file.hpp"
+#include "io/scan_decimal.hpp"
 
 namespace stemwise {
 namespace {
@@ -154,6 +156,65 @@ TEST_F(ReadFrameFolder, TakesADateOnlyFromPlausibleTimeStamps) {
   EXPECT_EQ(read_frame_folder(path())->date, date_from_civil(2023, 10, 18));
   write("trajectory.txt", pose_line);
   EXPECT_FALSE(read_frame_folder(path())->date);
+}
+
+/// Rows of all kinds, good and bad, from pieces that a parser may stumble over.
+std::vector<std::string> messy_rows() {
+  const std::vector<std::string> fields = {"0.5",  "-12.345678", "7",    "+3",   "1e-3", "",     " 2 ",  ".5",       "5.",  "-",   ".",
+                                           "nan",  "1.2.3",      "oak",  "True", "false", "Tru", "\t1", "123456789012345678",
+                                           "0.1234567890123456", "-0", "00.25", "\"1\""};
+  const std::string good = std::string(good_row).substr(0, std::string(good_row).size() - 1);
+  std::vector<std::string> rows = {good, "", "   ", ",", good + ",", good + ",9", good.substr(0, 20), good.substr(0, good.size() - 2)};
+  for (int column = 0; column < 17; ++column) {
+    for (const std::string& field : fields) {
+      std::string row;
+      std::size_t at = 0;
+      for (int c = 0; c < 17; ++c) {
+        const std::size_t end = std::min(good.find(',', at), good.size());
+        row += (c > 0 ? "," : "") + (c == column ? field : good.substr(at, end - at));
+        at = end + 1;
+      }
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+TEST_F(ReadFrameFolder, ReadsACleanRowFastAndEveryRowAsTheCarefulPathDoes) {
+  const auto read_rows = [&](const std::string& behind_each_row, const std::string& at_the_end) {
+    std::string text = header;
+    for (const std::string& row : messy_rows()) text += row + behind_each_row + "\n";
+    write("TreeManagerState_0.csv", text + good_row + at_the_end);
+    return read_frame_file((folder_ / "TreeManagerState_0.csv").string());
+  };
+  const auto fast = read_rows("", "");
+  const auto careful = read_rows(" ", "");  // a blank behind the last field is none of the fast path's business
+  ASSERT_TRUE(fast && careful);
+  EXPECT_GT(fast->size(), 200U);
+  EXPECT_GT(fast.issues.size(), 60U);
+  EXPECT_EQ(*fast, *careful);
+  EXPECT_EQ(fast.issues, careful.issues);
+  EXPECT_EQ(*fast, *read_rows("\r", ""));
+  EXPECT_EQ(fast->back().source_row, static_cast<std::int64_t>(messy_rows().size()) + 2);
+  std::string no_line_end = std::string(header) + good_row;
+  no_line_end.pop_back();
+  write("TreeManagerState_0.csv", no_line_end);
+  const auto last = read_frame_file((folder_ / "TreeManagerState_0.csv").string());
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->size(), 1U);
+  EXPECT_TRUE(last.issues.empty());
+}
+
+TEST(ScanDecimal, IsParseDecimalForPlainNumbersAndLeavesTheRest) {
+  for (const char* text : {"0", "-0.5", "0.1", "12345.678901", "-12.000001", ".5", "5.", "123456789012345", "0.00000000000001"}) {
+    const ScannedDecimal scanned = scan_decimal(text);
+    EXPECT_TRUE(scanned.clean) << text;
+    EXPECT_EQ(*scanned.end, '\0') << text;
+    EXPECT_EQ(scanned.value, parse_decimal(text)) << text;
+  }
+  for (const char* text : {"", "-", ".", "-.", "x", "1234567890123456", "0.0000000000000001", "True"})
+    EXPECT_FALSE(scan_decimal(text).clean) << text;
+  EXPECT_EQ(*scan_decimal("1e5").end, 'e') << "what follows is the caller's to judge";
 }
 
 TEST(ParseDecimal, AgreesWithStrtodAndRefusesWhatIsNoNumber) {
