@@ -31,61 +31,64 @@ std::int32_t turn_of(float x, float y) {
   return rounded((y < 0.0F ? down : up) * (128.0F / std::numbers::pi_v<float>)) & 255;
 }
 
+/// A vertex with the side opposite.
+struct Vertex {
+  float side, x, y;
+  std::int32_t number;
+};
+
+/// The one with the shorter side first. Which it is cannot be guessed: both are computed and one chosen.
+inline void put_in_order(Vertex& a, Vertex& b) {
+  const bool swap = b.side < a.side;
+  const Vertex first{swap ? b.side : a.side, swap ? b.x : a.x, swap ? b.y : a.y, swap ? b.number : a.number};
+  b = {swap ? a.side : b.side, swap ? a.x : b.x, swap ? a.y : b.y, swap ? a.number : b.number};
+  a = first;
+}
+
 }  // namespace
 
-void TriangleBatch::clear(std::size_t most) {
+void TriangleBatch::clear(std::size_t most, const Tree& center) {
+  center_ = center;
   count_ = 0;
-  if (yaw_.size() >= most + 1) return;
-  for (int c = 0; c < 3; ++c) {
-    side_[c].resize(most + 1);
-    x_[c].resize(most + 1);
-    y_[c].resize(most + 1);
-    tree_[c].resize(most + 1);
-    side_steps_[c].resize(most + 1);
-  }
-  for (auto* column : {&area_steps_, &left_handed_, &origin_x_cm_, &origin_y_cm_, &yaw_}) column->resize(most + 1);
+  if (within_.size() >= most) return;
+  for (auto* column : {&b_x_, &b_y_, &c_x_, &c_y_, &opposite_center_, &opposite_b_, &opposite_c_}) column->resize(most);
+  for (auto* column : {&b_number_, &c_number_, &trees_, &steps_[0], &steps_[1], &steps_[2], &area_, &left_handed_,
+                       &origin_x_cm_, &origin_y_cm_, &yaw_, &within_})
+    column->resize(most);
 }
 
-void TriangleBatch::add(const Corner& a, const Corner& b, const Corner& c, float min_side, float max_side) {
-  // Which is longer cannot be guessed: places are counted instead of jumping.
-  const int b_before_a = b.side < a.side ? 1 : 0, c_before_a = c.side < a.side ? 1 : 0, c_before_b = c.side < b.side ? 1 : 0;
-  const auto put = [this](int place, const Corner& corner) {
-    side_[place][count_] = corner.side;
-    x_[place][count_] = corner.x;
-    y_[place][count_] = corner.y;
-    tree_[place][count_] = corner.tree;
-  };
-  put(b_before_a + c_before_a, a);
-  put(1 - b_before_a + c_before_b, b);
-  put(2 - c_before_a - c_before_b, c);
-  count_ += side_[0][count_] >= min_side && side_[2][count_] <= max_side ? 1 : 0;
-}
-
-void TriangleBatch::compute(float steps_per_m) {
-  const float *x0 = x_[0].data(), *x1 = x_[1].data(), *x2 = x_[2].data();
-  const float *y0 = y_[0].data(), *y1 = y_[1].data(), *y2 = y_[2].data();
-  const float* longest = side_[2].data();
-  std::int32_t *area = area_steps_.data(), *left = left_handed_.data(), *origin_x = origin_x_cm_.data(),
-               *origin_y = origin_y_cm_.data(), *yaw = yaw_.data();
+void TriangleBatch::compute(float steps_per_m, float min_side_m, float max_side_m) {
+  const Tree center = center_;
+  const float *b_x = b_x_.data(), *b_y = b_y_.data(), *c_x = c_x_.data(), *c_y = c_y_.data();
+  const float *of_center = opposite_center_.data(), *of_b = opposite_b_.data(), *of_c = opposite_c_.data();
+  const std::int32_t *b_number = b_number_.data(), *c_number = c_number_.data();
+  std::int32_t *trees = trees_.data(), *steps_0 = steps_[0].data(), *steps_1 = steps_[1].data(), *steps_2 = steps_[2].data(),
+               *area = area_.data(), *left_handed = left_handed_.data(), *origin_x = origin_x_cm_.data(),
+               *origin_y = origin_y_cm_.data(), *yaw = yaw_.data(), *within = within_.data();
 #pragma GCC ivdep
   for (std::size_t i = 0; i < count_; ++i) {
-    const float ex = x1[i] - x0[i], ey = y1[i] - y0[i];  // along the longest side
-    const float fx = x2[i] - x0[i], fy = y2[i] - y0[i];
+    Vertex v0{of_center[i], center.x, center.y, center.number};
+    Vertex v1{of_b[i], b_x[i], b_y[i], b_number[i]};
+    Vertex v2{of_c[i], c_x[i], c_y[i], c_number[i]};
+    put_in_order(v0, v1);
+    put_in_order(v1, v2);
+    put_in_order(v0, v1);
+    const float ex = v1.x - v0.x, ey = v1.y - v0.y;  // along the longest side
+    const float fx = v2.x - v0.x, fy = v2.y - v0.y;
     const float twice_area = ex * fy - ey * fx;
-    const float cx = x0[i] + (ex + fx) / 3.0F, cy = y0[i] + (ey + fy) / 3.0F;
-    const float per_length = 1.0F / (longest[i] < 1e-9F ? 1e-9F : longest[i]);
+    const float cx = v0.x + (ex + fx) / 3.0F, cy = v0.y + (ey + fy) / 3.0F;
+    const float per_length = 1.0F / (v2.side < 1e-9F ? 1e-9F : v2.side);
     const float cosine = ex * per_length, sine = ey * per_length;
+    trees[i] = v0.number | v1.number << 8 | v2.number << 16;
+    steps_0[i] = static_cast<std::int32_t>(v0.side * steps_per_m);
+    steps_1[i] = static_cast<std::int32_t>(v1.side * steps_per_m);
+    steps_2[i] = static_cast<std::int32_t>(v2.side * steps_per_m);
     area[i] = static_cast<std::int32_t>(std::abs(twice_area) / 2 * steps_per_m);
-    left[i] = twice_area > 0.0F ? 1 : 0;
+    left_handed[i] = twice_area > 0.0F ? 1 : 0;
     origin_x[i] = centimetres(-(cosine * cx + sine * cy));
     origin_y[i] = centimetres(sine * cx - cosine * cy);
     yaw[i] = turn_of(ex, ey);
-  }
-  for (int c = 0; c < 3; ++c) {
-    const float* side = side_[c].data();
-    std::int32_t* steps = side_steps_[c].data();
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < count_; ++i) steps[i] = static_cast<std::int32_t>(side[i] * steps_per_m);
+    within[i] = (v0.side >= min_side_m ? 1 : 0) & (v2.side <= max_side_m ? 1 : 0);
   }
 }
 

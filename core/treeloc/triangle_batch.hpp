@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,34 +9,45 @@ namespace stemwise::treeloc {
 /// (no fused multiply-add, no reordered sums: the same numbers at any vector width). Buffers are kept.
 class TriangleBatch {
 public:
-  /// A corner with the side opposite.
-  struct Corner {
-    float side, x, y;
-    std::uint8_t tree;
+  struct Tree {
+    float x, y;
+    std::int32_t number;
   };
-  /// Room for so many triangles, none of them there yet.
-  void clear(std::size_t most);
-  /// Adds one unless its shortest side is below `min_side` or its longest above `max_side`. Corners are put in order of the
-  /// side opposite, shortest first; among equals the given order stays.
-  void add(const Corner& a, const Corner& b, const Corner& c, float min_side, float max_side);
+  /// One triangle: its vertices in order of the side opposite, shortest first (equals: in the order given), and what follows.
+  struct Made {
+    std::int32_t trees;             ///< the three numbers, 8 bits each, the first lowest
+    std::int32_t steps[3], area;    ///< sides and area in steps, rounded down
+    std::int32_t left_handed;       ///< 0 or 1
+    std::int32_t origin_x_cm, origin_y_cm, yaw;
+    bool within;  ///< the sides are neither too short nor too long
+  };
+  /// No triangle, but room for `most` around `center`.
+  void clear(std::size_t most, const Tree& center);
+  /// Adds center, `b` and `c`; lengths in metres.
+  void add(const Tree& b, const Tree& c, float b_to_c, float center_to_c, float center_to_b) {
+    b_x_[count_] = b.x;
+    b_y_[count_] = b.y;
+    b_number_[count_] = b.number;
+    c_x_[count_] = c.x;
+    c_y_[count_] = c.y;
+    c_number_[count_] = c.number;
+    opposite_center_[count_] = b_to_c;
+    opposite_b_[count_] = center_to_c;
+    opposite_c_[count_++] = center_to_b;
+  }
+  void compute(float steps_per_m, float min_side_m, float max_side_m);
   std::size_t size() const { return count_; }
-
-  /// Fills in what follows from the corners.
-  void compute(float steps_per_m);
-
-  std::uint8_t tree(int corner, std::size_t i) const { return tree_[corner][i]; }
-  std::int32_t side_steps(int corner, std::size_t i) const { return side_steps_[corner][i]; }
-  std::int32_t area_steps(std::size_t i) const { return area_steps_[i]; }
-  bool left_handed(std::size_t i) const { return left_handed_[i] != 0; }
-  std::int16_t origin_x_cm(std::size_t i) const { return static_cast<std::int16_t>(origin_x_cm_[i]); }
-  std::int16_t origin_y_cm(std::size_t i) const { return static_cast<std::int16_t>(origin_y_cm_[i]); }
-  std::uint8_t yaw(std::size_t i) const { return static_cast<std::uint8_t>(yaw_[i]); }
+  Made made(std::size_t i) const {
+    return {trees_[i],       {steps_[0][i], steps_[1][i], steps_[2][i]}, area_[i], left_handed_[i], origin_x_cm_[i],
+            origin_y_cm_[i], yaw_[i],                                    within_[i] != 0};
+  }
 
 private:
+  Tree center_{};
   std::size_t count_ = 0;
-  std::vector<float> side_[3], x_[3], y_[3];
-  std::vector<std::uint8_t> tree_[3];
-  std::vector<std::int32_t> side_steps_[3], area_steps_, left_handed_, origin_x_cm_, origin_y_cm_, yaw_;
+  std::vector<float> b_x_, b_y_, c_x_, c_y_, opposite_center_, opposite_b_, opposite_c_;
+  std::vector<std::int32_t> b_number_, c_number_;
+  std::vector<std::int32_t> trees_, steps_[3], area_, left_handed_, origin_x_cm_, origin_y_cm_, yaw_, within_;
 };
 
 }  // namespace stemwise::treeloc

@@ -118,18 +118,16 @@ TreeSet TriangleMaker::partners(std::size_t center, std::size_t other) const {
 
 void TriangleMaker::add_triangles_of(std::size_t center) {
   const float* from_center = distance_.data() + center * tree_count_;
-  const auto min_side = static_cast<float>(settings_.min_side_m), max_side = static_cast<float>(settings_.max_side_m);
+  const auto tree = [&](std::size_t i) { return TriangleBatch::Tree{x_[i], y_[i], static_cast<std::int32_t>(i)}; };
   const auto neighbours = static_cast<std::size_t>(std::max(0, settings_.neighbours));
-  batch_.clear(neighbours * neighbours / 2);
+  batch_.clear(neighbours * neighbours / 2, tree(center));
   each(neighbours_[center], words_, [&](std::size_t j) {
     const float* from_j = distance_.data() + j * tree_count_;
-    each(partners(center, j), words_, [&](std::size_t k) {
-      batch_.add({from_j[k], x_[center], y_[center], static_cast<std::uint8_t>(center)},
-                 {from_center[k], x_[j], y_[j], static_cast<std::uint8_t>(j)},
-                 {from_center[j], x_[k], y_[k], static_cast<std::uint8_t>(k)}, min_side, max_side);
-    });
+    each(partners(center, j), words_,
+         [&](std::size_t k) { batch_.add(tree(j), tree(k), from_j[k], from_center[k], from_center[j]); });
   });
-  batch_.compute(1.0F / static_cast<float>(settings_.step_m));
+  batch_.compute(1.0F / static_cast<float>(settings_.step_m), static_cast<float>(settings_.min_side_m),
+                 static_cast<float>(settings_.max_side_m));
   append(batch_);
 }
 
@@ -137,17 +135,20 @@ void TriangleMaker::append(const TriangleBatch& batch) {
   const auto steps = [](std::int32_t n) { return static_cast<std::uint32_t>(n); };
   const std::size_t first = triangles_.size();
   triangles_.resize(first + batch.size());
+  Triangle* out = triangles_.data() + first;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    Triangle& t = triangles_[first + i];
-    t.key = keys_.key(steps(batch.side_steps(0, i)), steps(batch.side_steps(1, i)), steps(batch.side_steps(2, i)),
-                      steps(batch.area_steps(i)), batch.left_handed(i));
-    t.origin = {batch.origin_x_cm(i), batch.origin_y_cm(i)};
-    t.yaw = batch.yaw(i);
+    const TriangleBatch::Made made = batch.made(i);
+    if (!made.within) continue;
+    out->key = keys_.key(steps(made.steps[0]), steps(made.steps[1]), steps(made.steps[2]), steps(made.area), made.left_handed != 0);
+    out->origin = {static_cast<std::int16_t>(made.origin_x_cm), static_cast<std::int16_t>(made.origin_y_cm)};
+    out->yaw = static_cast<std::uint8_t>(made.yaw);
     for (int v = 0; v < 3; ++v) {
-      t.tree[v] = batch.tree(v, i);
-      t.dbh_cm[v] = dbh_cm_[t.tree[v]];
+      out->tree[v] = static_cast<std::uint8_t>(made.trees >> 8 * v);
+      out->dbh_cm[v] = dbh_cm_[out->tree[v]];
     }
+    ++out;
   }
+  triangles_.resize(static_cast<std::size_t>(out - triangles_.data()));
 }
 
 const std::vector<Triangle>& TriangleMaker::make(const Scene& scene) {
