@@ -1,6 +1,7 @@
 // The steps that were made fast, against the same said plainly.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -9,6 +10,7 @@
 #include "core/base/random.hpp"
 #include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/near_origins.hpp"
+#include "core/treeloc/triangle_index.hpp"
 #include "core/treeloc/triangles.hpp"
 
 namespace stemwise::treeloc {
@@ -119,6 +121,52 @@ TEST(TriangleMaker, OriginYawAndKeyFollowFromTheCorners) {
     if (std::abs(twice_area) < 1e-3) continue;  // single precision may see a line from either side
     EXPECT_EQ(t.key, maker.keys().key(steps(1, 2), steps(0, 2), steps(0, 1), 0, twice_area > 0.0));
   }
+}
+
+struct Listed {
+  std::uint32_t scene;
+  int x_cm, y_cm, yaw, dbh_cm;
+  bool operator==(const Listed&) const = default;
+};
+
+std::vector<Listed> listed(const TriangleIndex& index, std::uint32_t key) {
+  std::vector<Listed> all;
+  for (std::size_t segment = 0; segment < index.segment_count(); ++segment) {
+    const auto [first, count] = index.range(segment, key);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const Posting& p = index.postings(segment)[i];
+      const TriangleOrigin& origin = index.origins(segment)[i];
+      all.push_back({p.scene, origin.x_cm, origin.y_cm, p.yaw, p.dbh_cm[2]});
+    }
+  }
+  return all;
+}
+
+TEST(TriangleIndex, ListsEveryTriangleUnderItsKeyInOrderOfSceneAtAnyThreadCount) {
+  Random random(5);
+  const TriangleSettings settings;
+  std::vector<Scene> scenes;
+  for (int s = 0; s < 150; ++s) scenes.push_back(random_scene(20, 25.0, random));
+  TriangleIndex one(settings), three(settings), in_parts(settings);
+  one.add(scenes, 1);
+  three.add(scenes, 3);
+  in_parts.add(std::span(scenes).first(70), 2);
+  in_parts.add(std::span(scenes).subspan(70), 2);
+  std::map<std::uint32_t, std::vector<Listed>> expected;
+  TriangleMaker maker(settings);
+  std::size_t triangles = 0;
+  for (std::uint32_t s = 0; s < scenes.size(); ++s) {
+    for (const Triangle& t : maker.make(scenes[s])) {
+      expected[t.key].push_back({s, t.origin.x_cm, t.origin.y_cm, t.yaw, t.dbh_cm[2]});
+      ++triangles;
+    }
+  }
+  for (const TriangleIndex* index : {&one, &three, &in_parts}) {
+    EXPECT_EQ(index->triangle_count(), triangles);
+    EXPECT_EQ(index->scene_count(), scenes.size());
+    for (const auto& [key, triangles_of_key] : expected) ASSERT_EQ(listed(*index, key), triangles_of_key) << key;
+  }
+  EXPECT_TRUE(listed(one, maker.keys().count() - 1).empty()) << "the last key: a triangle of 30 m sides, which no scene has";
 }
 
 /// For every query tree the nearest tree that fits; of those that want the same one the nearest.
