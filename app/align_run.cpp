@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "app/align_job.hpp"
 #include "app/hint_file.hpp"
 #include "app/load_inventories.hpp"
 #include "core/project/commands.hpp"
+#include "io/crs.hpp"
 
 namespace stemwise {
 namespace {
@@ -49,6 +51,38 @@ ExitCode read_hints(const AlignOptions& options, const Project& project, Console
   return ExitCode::done;
 }
 
+/// The system that --crs names; nothing without it, or after having said what is wrong.
+std::optional<int> crs_of(const AlignOptions& options, Console& console, ExitCode& code) {
+  if (options.crs.empty()) return std::nullopt;
+  int epsg = 0;
+  char end = 0;
+  const bool read = std::sscanf(options.crs.c_str(), "EPSG:%d%c", &epsg, &end) == 1 || std::sscanf(options.crs.c_str(), "epsg:%d%c", &epsg, &end) == 1;
+  if (read && is_known_epsg(epsg) && !is_geographic_epsg(epsg)) return epsg;
+  console.error("--crs " + options.crs + ": expected EPSG:N of a projected system, for example EPSG:32632");
+  code = ExitCode::usage;
+  return std::nullopt;
+}
+
+/// Of inventories in one coordinate system the pose is near the identity: what GNSS and a compass are off by.
+void add_crs_priors(const ProjectState& state, const SurveyAlignment& tried, AlignHints& hints) {
+  for (const InventoryAlignment& a : tried.inventories) {
+    if (a.status != AlignmentStatus::failed && a.status != AlignmentStatus::probable) continue;
+    const Inventory& inventory = *state.find(a.inventory);
+    AlignHints::RoughPose prior;
+    prior.inventory = a.inventory;
+    for (const Stem& stem : inventory.stems) prior.about_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(inventory.stems.size());
+    hints.rough_poses.push_back(prior);
+  }
+}
+
+Georeference georeference_of_crs(int epsg) {
+  Georeference georeference;
+  georeference.kind = GeoreferenceKind::crs;
+  georeference.epsg = epsg;
+  georeference.method = "CRS " + crs_name(epsg);
+  return georeference;
+}
+
 AlignRun ended(ExitCode code, std::string problem = "") {
   AlignRun run;
   run.code = code;
@@ -63,6 +97,9 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   AlignRun run;
   AlignSettings settings = settings_of(options, session);
   if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return ended(code);
+  ExitCode usage = ExitCode::done;
+  const std::optional<int> epsg = crs_of(options, session.console, usage);
+  if (usage != ExitCode::done) return ended(usage);
   const Progress progress = session.progress();
   LoadedInventories loaded = load_inventories(options.inventories, options.read, session, progress.stage(0.0, 0.3));
   if (loaded.code != ExitCode::done) return ended(loaded.code, loaded.problem);
@@ -72,7 +109,14 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   AlignHints hints;
   if (const ExitCode code = read_hints(options, run.project, session.console, hints); code != ExitCode::done) return ended(code);
 
-  AlignOutcome outcome = align_project(run.project.state(), settings, hints, progress.stage(0.3, 0.95));
+  const ProjectState& state = run.project.state();
+  AlignOutcome outcome = align_project(state, settings, hints, progress.stage(0.3, epsg ? 0.6 : 0.95));
+  if (epsg) {
+    const std::size_t given = hints.rough_poses.size();
+    add_crs_priors(state, outcome.alignment, hints);
+    if (hints.rough_poses.size() > given) outcome = align_project(state, settings, hints, progress.stage(0.6, 0.95));
+    run.project.execute(set_georeference(georeference_of_crs(*epsg)));
+  }
   run.timing = outcome.alignment.timing;
   session.console.end_progress();
   for (const std::string& note : outcome.alignment.notes) session.console.say("note: " + note);

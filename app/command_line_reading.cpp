@@ -45,6 +45,7 @@ void add_align(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   command.add_option("-o,--output", options->output, "The project to write, PROJECT.gpkg")->required();
   command.add_option("--reference", options->reference, "Name of the inventory whose frame is kept (default: the one with the most trees)");
   command.add_option("--hint", options->hint, "JSON file with pairs of the same trees, or a rough pose");
+  command.add_option("--crs", options->crs, "EPSG:N of every inventory's coordinates: a prior of 10 m and 20 degrees where stems alone prove nothing, and the project's georeference");
   command.add_flag("--accept-probable", options->accept_probable, "Apply poses that are only probable");
   add_read_options(command, options->read);
   command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_align(*options, session); }; });

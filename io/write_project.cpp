@@ -221,10 +221,10 @@ Result<Done> write_project(const ProjectState& state, const std::string& path) {
       return give_up(wrong.front().text);
     }
     StateWriter(*dataset, state).run();
-    issues = keep_foreign_layers(path, *dataset);
-    const Issues styles = write_layer_styles(path, *dataset);
-    issues.insert(issues.end(), styles.begin(), styles.end());
+    issues = write_layer_styles(path, *dataset);
     const bool committed = dataset->CommitTransaction() == OGRERR_NONE;
+    const Issues lost = keep_foreign_layers(path, *dataset);  // GDAL copies a layer in a transaction of its own
+    issues.insert(issues.end(), lost.begin(), lost.end());
     dataset.reset();
     if (!committed || !messages.errors().empty()) return give_up(messages.last_error());
   } catch (const TableError& error) {

@@ -12,6 +12,7 @@ struct AlignOptions {
   std::string output;     ///< PROJECT.gpkg
   std::string reference;  ///< name; empty: the inventory with the most trees
   std::string hint;       ///< JSON file
+  std::string crs;        ///< EPSG:N that the coordinates of all inventories are in; empty: unknown
   bool accept_probable = false;
   ReadOverrides read;
 };

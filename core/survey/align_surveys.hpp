@@ -27,6 +27,7 @@ struct AlignHints {
     double yaw_rad = 0.0;
     double radius_m = 10.0;       ///< how far off it may be
     double yaw_radius_rad = 0.35;
+    Eigen::Vector2d about_m = Eigen::Vector2d::Zero();  ///< the point of the inventory that `radius_m` counts from
   };
   std::vector<SameTree> same_tree;   ///< linked or accepted: must join
   std::vector<SameTree> not_same;    ///< rejected or unlinked: must not join

@@ -181,7 +181,7 @@ ReportSection structure_section(const ReportModel& model) {
 
 ReportTable stem_table(const ReportModel& model, const char* title, const std::vector<ReportStem>& stems, const char* note) {
   ReportTable table{title, note, {{"Tree", false}, {"Survey", false}, {"Fate", false}, {"DBH cm"}, {"x m"}, {"y m"}, {"Species", false}}, {}};
-  table.printed_rows = 100;
+  table.printed_rows = 45;
   for (const ReportStem& stem : stems) {
     table.rows.push_back({tree_label(stem.tree), model.surveys[stem.survey].name, fate_label(stem.fate), fixed(stem.dbh_m, 1, 100.0),
                           fixed(stem.position_m.x(), 2), fixed(stem.position_m.y(), 2), stem.species});

@@ -13,33 +13,53 @@ std::string way_text(const FieldBearing& b) {
   return fixed(b.distance_m, 2) + " m at " + fixed(b.azimuth_deg, 0) + "\u00b0 from " + tree_label(b.from) + (b.dbh_m ? " (" + fixed(*b.dbh_m * 100.0, 0) + " cm)" : "");
 }
 
-ReportTable sheet(const FieldCheck& check) {
-  ReportTable table{"Trees to look at", "", {{"Tree", false}, {"What is doubtful", false}, {"DBH cm"}, {"From", false}, {"m"}, {"Azimuth \u00b0"}, {"From", false}, {"m"}, {"Azimuth \u00b0"},
-                    {"From", false}, {"m"}, {"Azimuth \u00b0"}, {"Found DBH, note", false}}, {}};
+ReportTable print_sheet(const FieldCheck& check) {
+  ReportTable table{"Trees to look at", "", {{"Tree", false}, {"What is doubtful", false}, {"DBH cm"}, {"First way", false}, {"Second way", false}, {"Third way", false}, {"Found, note", false}}, {}};
   for (const FieldCheckRow& row : check.rows) {
     std::vector<std::string> cells{tree_label(row.tree), row.why, fixed(row.dbh_m, 1, 100.0)};
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (i < row.bearings.size()) cells.insert(cells.end(), {tree_label(row.bearings[i].from), fixed(row.bearings[i].distance_m, 2), fixed(row.bearings[i].azimuth_deg, 0)});
-      else cells.insert(cells.end(), 3, "");
-    }
-    cells.push_back("");
+    for (std::size_t i = 0; i < 3; ++i)
+      cells.push_back(i < row.bearings.size() ? tree_label(row.bearings[i].from) + ": " + fixed(row.bearings[i].distance_m, 2) + " m, " + fixed(row.bearings[i].azimuth_deg, 0) + "\u00b0" : "");
+    cells.emplace_back("...............");
     table.rows.push_back(std::move(cells));
   }
-  table.note = "Stand at the tree under \"From\", look along the azimuth (degrees clockwise from " + check.north +
-               "), and go the distance, measured horizontally from stem centre to stem centre. The trees under \"From\" are the nearest that every survey agrees on.";
+  return table;
+}
+
+ReportTable number_sheet(const FieldCheck& check) {
+  ReportTable table{"Trees to look at", "", {{"Tree", false}, {"What is doubtful", false}, {"DBH cm"}, {"x m"}, {"y m"}, {"Species", false}}, {}};
+  for (const char* n : {"1", "2", "3"}) {
+    table.columns.push_back({std::string("From ") + n, false});
+    table.columns.push_back({std::string("Distance ") + n + " m"});
+    table.columns.push_back({std::string("Azimuth ") + n + " \u00b0"});
+  }
+  for (const FieldCheckRow& row : check.rows) {
+    std::vector<std::string> cells{tree_label(row.tree), row.why, fixed(row.dbh_m, 1, 100.0), fixed(row.position_m.x(), 2), fixed(row.position_m.y(), 2), row.species};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i < row.bearings.size()) cells.insert(cells.end(), {tree_label(row.bearings[i].from), fixed(row.bearings[i].distance_m, 2), fixed(row.bearings[i].azimuth_deg, 1)});
+      else cells.insert(cells.end(), 3, "");
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+ReportTable sheet(const FieldCheck& check, bool for_print) {
+  ReportTable table = for_print ? print_sheet(check) : number_sheet(check);
+  table.note = "A way: stand at the tree named, look along the azimuth (degrees clockwise from " + check.north +
+               "), and go the distance, measured horizontally from stem centre to stem centre. The trees to start from are the three nearest that are sure.";
   return table;
 }
 
 }  // namespace
 
-ReportDocument make_field_check_document(const FieldCheck& check, const std::string& title, const std::string& software) {
+ReportDocument make_field_check_document(const FieldCheck& check, const std::string& title, const std::string& software, bool for_print) {
   ReportDocument document;
   document.title = "Field check" + (title.empty() ? std::string() : ": " + title);
   document.subtitle = std::to_string(check.rows.size()) + " trees, most doubtful first; azimuths from " + check.north;
   document.footer = software;
   ReportSection section{"Field check sheet", {}};
   if (check.rows.empty()) section.blocks.emplace_back(ReportParagraph{"No tree is in doubt: there is nothing to check."});
-  else section.blocks.emplace_back(sheet(check));
+  else section.blocks.emplace_back(sheet(check, for_print));
   document.sections.push_back(std::move(section));
   return document;
 }

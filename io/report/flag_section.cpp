@@ -15,7 +15,7 @@ ReportTable rule_table(const ReportModel& model) {
 
 ReportTable tree_table(const ReportModel& model) {
   ReportTable table{"Flagged trees", "", {{"Tree", false}, {"From", false}, {"To", false}, {"DBH before cm"}, {"DBH after cm"}, {"Change cm"}, {"cm/year"}, {"Flags", false}, {"Species", false}}, {}};
-  table.printed_rows = 100;
+  table.printed_rows = 45;
   for (const ReportFlagged& f : model.flagged)
     table.rows.push_back({tree_label(f.tree), model.surveys[f.from].name, model.surveys[f.to].name, fixed(f.earlier_dbh_m * 100.0, 1), fixed(f.later_dbh_m * 100.0, 1),
                           fixed((f.later_dbh_m - f.earlier_dbh_m) * 100.0, 1), fixed(f.growth_m_per_year, 2, 100.0), f.flags, f.species});

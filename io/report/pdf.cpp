@@ -106,15 +106,24 @@ class PdfReport {
   }
 
   void print_block(const ReportTable& table) {
-    need(80.0);
-    y_ += 6.0;
-    y_ += canvas_.text(margin, y_, content_width, table.title, table_title_style) + 2.0;
     if (table.rows.empty()) {
+      need(80.0);
+      print_table_title(table);
       y_ += canvas_.text(margin, y_, content_width, "None.", body_style) + 6.0;
       return;
     }
-    for (const TablePart& part : fit_table(canvas_, table, content_width)) print_part(table, part);
+    const std::vector<TablePart> parts = fit_table(canvas_, table, content_width);
+    double rows = 0.0;  // a title does not stand without the head and the first rows
+    for (std::size_t row = 0; row < std::min<std::size_t>(3, table.rows.size()); ++row) rows += table_row_height(canvas_, table, parts.front(), row);
+    need(30.0 + table_head_height(canvas_, table, parts.front()) + rows);
+    print_table_title(table);
+    for (const TablePart& part : parts) print_part(table, part);
     print_note(table);
+  }
+
+  void print_table_title(const ReportTable& table) {
+    y_ += 6.0;
+    y_ += canvas_.text(margin, y_, content_width, table.title, table_title_style) + 2.0;
   }
 
   void print_part(const ReportTable& table, const TablePart& part) {

@@ -78,7 +78,7 @@ TEST_F(ExportLayerTest, CsvHasTheColumnsOfTheContract) {
 
 TEST_F(ExportLayerTest, EveryFormatIsReadBackByGdalWithEveryTree) {
   const auto trees = static_cast<GIntBig>(derive_tables(state_).trees.size());
-  for (const std::string suffix : {".gpkg", ".geojson", ".csv", ".tsv", ".shp", ".fgb", ".kml", ".gpx", ".dxf", ".xlsx", ".ods"}) {
+  for (const std::string suffix : {".gpkg", ".geojson", ".csv", ".tsv", ".shp", ".fgb", ".kml", ".kmz", ".gpx", ".dxf", ".xlsx", ".ods"}) {
     const std::string file = path("out" + suffix);
     const auto done = export_layer(state_, file);
     ASSERT_TRUE(done) << suffix << ": " << to_string(done.issues.front());
@@ -177,8 +177,73 @@ TEST_F(ExportLayerTest, DecimalCommaAndDelimiterAreAsAsked) {
   options.decimal_comma = true;
   options.layer = LayerKind::observations;
   ASSERT_TRUE(export_layer(state_, path("t.csv"), options));
+  EXPECT_TRUE(bytes("t.csv").starts_with("\xEF\xBB\xBF"));  // without it, Excel takes UTF-8 for Windows-1252
   EXPECT_THAT(first_line("t.csv"), HasSubstr("tree_id;inventory"));
   EXPECT_THAT(bytes("t.csv"), testing::ContainsRegex(";[0-9]+,[0-9]{4};"));
+}
+
+TEST_F(ExportLayerTest, ObservationsHaveARowForEveryStemOfEveryInventoryAlsoOfThoseThatWereNotAligned) {
+  std::size_t stems = 0, rows = 0;
+  for (const auto& inventory : state_.inventories) stems += inventory->stems.size();
+  ExportOptions options;
+  options.layer = LayerKind::observations;
+  ASSERT_TRUE(export_layer(state_, path("o.csv"), options));
+  auto* dataset = GDALDataset::Open(path("o.csv").c_str(), GDAL_OF_VECTOR);
+  for (const auto& feature : *dataset->GetLayer(0)) {
+    ++rows;
+    if (std::string(feature->GetFieldAsString("inventory")) != "no date") continue;
+    EXPECT_STREQ(feature->GetFieldAsString("tree_id"), "");
+    EXPECT_STREQ(feature->GetFieldAsString("x"), "");
+    EXPECT_STREQ(feature->GetFieldAsString("fate"), "unresolved");
+  }
+  EXPECT_EQ(rows, stems);
+  GDALClose(dataset);
+  EXPECT_TRUE(export_layer(state_, path("o.shp"), options));  // what has no place is left out of a map
+}
+
+TEST_F(ExportLayerTest, AnExportOfOneLayerSaysWhatItIsAndAShapefilesNamesAreExplained) {
+  ASSERT_TRUE(export_layer(state_, path("t.shp")));
+  const std::string about = bytes("t.shp.about.txt");
+  for (const char* part : {"EPSG:32756", "seed: 0", "units:", "georeference: control points (4)", "alignment of 2023: aligned, matched 9", "pos_sd_m = position_sd_m:"})
+    EXPECT_THAT(about, HasSubstr(part));
+}
+
+TEST_F(ExportLayerTest, HeightsAreAboveTheGeoidThatTheGeoreferenceNamesButGeoJsonStaysOnTheEllipsoid) {
+  for (const auto& inventory : state_.inventories)
+    for (auto& stem : const_cast<Inventory&>(*inventory).stems) stem.z_m = 1.0;
+  ASSERT_TRUE(export_layer(state_, path("ellipsoid.csv")));
+  ASSERT_TRUE(export_layer(state_, path("ellipsoid.geojson")));
+  state_.georeference.geoid = {"test geoid", 40.0, 0.0, 0.0};
+  ASSERT_TRUE(export_layer(state_, path("geoid.csv")));
+  ASSERT_TRUE(export_layer(state_, path("geoid.geojson")));
+  const auto first = [&](const char* file, const char* column) {
+    auto* dataset = GDALDataset::Open(path(file).c_str(), GDAL_OF_VECTOR);
+    const std::unique_ptr<OGRFeature> feature(dataset->GetLayer(0)->GetNextFeature());
+    const double value = column == nullptr ? feature->GetGeometryRef()->toPoint()->getZ() : feature->GetFieldAsDouble(column);
+    GDALClose(dataset);
+    return value;
+  };
+  EXPECT_NEAR(first("ellipsoid.csv", "height") - first("geoid.csv", "height"), 40.0, 1e-3);
+  EXPECT_NEAR(first("ellipsoid.csv", "z") - first("geoid.csv", "z"), 40.0, 1e-3);
+  EXPECT_NEAR(first("ellipsoid.geojson", nullptr), first("geoid.geojson", nullptr), 1e-3);
+}
+
+TEST_F(ExportLayerTest, ForestGeoTablesHaveARowPerTreeAndCensusInMillimetres) {
+  ExportOptions options;
+  options.layer = LayerKind::forestgeo;
+  ASSERT_TRUE(export_layer(state_, path("f.csv"), options));
+  EXPECT_EQ(first_line("f.csv"), "treeID,stemID,tag,StemTag,sp,quadrat,gx,gy,dbh,hom,ExactDate,CensusID,status,codes");
+  auto* dataset = GDALDataset::Open(path("f.csv").c_str(), GDAL_OF_VECTOR);
+  const Tables tables = derive_tables(state_);
+  std::size_t alive_or_dead = 0;
+  for (const auto& feature : *dataset->GetLayer(0)) {
+    const std::string status = feature->GetFieldAsString("status");
+    EXPECT_THAT(status, testing::AnyOf("A", "D", "M"));
+    alive_or_dead += *feature->GetFieldAsString("StemTag") != 0 ? 1 : 0;
+    EXPECT_GE(std::atof(feature->GetFieldAsString("gx")), 0.0);
+  }
+  EXPECT_EQ(alive_or_dead, tables.observations.size());
+  GDALClose(dataset);
 }
 
 TEST_F(ExportLayerTest, WhatCannotBeWrittenIsAFailureAndLeavesNothing) {
