@@ -1,6 +1,7 @@
 #include "app/commands/evaluation_output.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -20,6 +21,16 @@ std::string number(double value, const char* format = "%.6f") {
   return buffer.data();
 }
 
+/// Standard deviations from the covariance, along the axes of the candidate's frame, and how far the truth is by it.
+std::string deviations_csv(const treeloc::QueryRow& row) {
+  std::string csv;
+  for (int i = 0; i < 6; ++i) {
+    const double sd = std::sqrt(row.covariance(i, i));
+    csv += "," + (row.found() ? number(i < 3 ? sd : degrees(sd)) : "");
+  }
+  return csv + "," + (row.found() ? number(row.mahalanobis_sq, "%.4f") : "");
+}
+
 std::string pose_text(const char* name, const treeloc::PoseMetrics& m) {
   return std::string("  ") + name + ": R@50 " + number(m.r50, "%.4f") + ", SR " + number(m.sr, "%.4f") + ", ATE " +
          number(m.ate_m, "%.3f") + " m, ARE " + number(m.are_deg, "%.3f") + " deg\n";
@@ -32,6 +43,7 @@ std::string evaluation_json(const treeloc::Evaluation& e, const EvaluationAbout&
             {"method", about.method},
             {"query", about.query},
             {"map", about.map},
+            {"map_mode", about.map_mode},
             {"queries", e.rows.size()},
             {"map_scenes", e.map_scenes},
             {"recall_at_1", e.retrieval.recall_at_1},
@@ -47,6 +59,12 @@ std::string evaluation_json(const treeloc::Evaluation& e, const EvaluationAbout&
                         {"queries_without_truth", e.queries_without_truth},
                         {"accepted_without_truth", e.accepted_without_truth},
                         {"highest_score_without_truth", e.highest_score_without_truth}};
+  json["calibration"] = {{"poses", e.calibration.poses},
+                         {"inside_95", e.calibration.inside_95},
+                         {"inside_95_position", e.calibration.inside_95_position},
+                         {"inside_95_rotation", e.calibration.inside_95_rotation},
+                         {"median_position_sd_m", e.calibration.median_position_sd_m},
+                         {"median_rotation_sd_deg", e.calibration.median_rotation_sd_deg}};
   json["timing"] = {{"threads", about.threads},
                     {"read_s", about.read_s},
                     {"describe_s", about.describe_s},
@@ -62,15 +80,15 @@ std::string evaluation_json(const treeloc::Evaluation& e, const EvaluationAbout&
 
 std::string evaluation_csv(const treeloc::Evaluation& e) {
   std::string csv =
-      "query,candidate,positive,score,error_x_m,error_y_m,error_z_m,error_roll_deg,error_pitch_deg,error_yaw_deg,pairs,votes,"
-      "candidate_distance_m\n";
+      "query,candidate,positive,score,dx_m,dy_m,dz_m,droll_deg,dpitch_deg,dyaw_deg,pairs,votes,candidate_distance_m,"
+      "sd_x_m,sd_y_m,sd_z_m,sd_roll_deg,sd_pitch_deg,sd_yaw_deg,mahalanobis_sq\n";
   for (const auto& row : e.rows) {
     csv += std::to_string(row.query) + "," + (row.found() ? std::to_string(row.candidate) : "") + "," +
            (row.positive ? "1" : "0") + "," + number(row.score);
     for (const double v : row.error.position_m) csv += "," + (row.found() ? number(v) : "");
     for (const double v : row.error.angle_deg) csv += "," + (row.found() ? number(v) : "");
     csv += "," + std::to_string(row.pairs) + "," + std::to_string(row.votes) + "," +
-           (row.found() ? number(row.candidate_distance_m) : "") + "\n";
+           (row.found() ? number(row.candidate_distance_m) : "") + deviations_csv(row) + "\n";
   }
   return csv;
 }
@@ -86,6 +104,8 @@ std::string evaluation_text(const treeloc::Evaluation& e, const EvaluationAbout&
           ", of them wrong by more than 1 m: " + std::to_string(e.accepted_wrong) +
           "; without truth: " + std::to_string(e.accepted_without_truth) + " of " + std::to_string(e.queries_without_truth) +
           "\n";
+  text += "  truth inside the 95 % region of its pose: " + number(100.0 * e.calibration.inside_95, "%.1f") + " % of " +
+          std::to_string(e.calibration.poses) + "\n";
   text += "  read " + number(about.read_s, "%.2f") + " s, describe " + number(e.timing.describe_ms_per_scene, "%.3f") +
           " ms a scene, query " + number(e.timing.query_ms_mean, "%.2f") + " ms (p99 " + number(e.timing.query_ms_p99, "%.2f") +
           "), " + number(about.peak_rss_mb, "%.0f") + " MB\n";

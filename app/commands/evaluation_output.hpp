@@ -11,6 +11,7 @@ struct EvaluationAbout {
   std::string method;
   std::string query;
   std::string map;
+  std::string map_mode = "frames";
   int threads = 1;
   double read_s = 0.0;
   double describe_s = 0.0;  ///< preparing all scenes and making the database's descriptors

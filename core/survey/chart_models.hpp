@@ -54,6 +54,7 @@ struct ChartPoints {
   ChartColour colour;
   std::vector<ChartPoint> points;
   bool is_joined = false;  ///< a line with open circles; else a cloud of dots
+  bool has_marks = true;   ///< of a joined one: the circles
   bool operator==(const ChartPoints&) const = default;
 };
 
@@ -74,6 +75,15 @@ struct ChartRule {
   bool operator==(const ChartRule&) const = default;
 };
 
+/// A box from the lower to the upper quartile with its median, and whiskers.
+struct ChartBox {
+  double x = 0.0;      ///< its middle
+  double width = 0.6;  ///< in units of x
+  double whisker_low = 0.0, low = 0.0, median = 0.0, high = 0.0, whisker_high = 0.0;
+  ChartColour colour;
+  bool operator==(const ChartBox&) const = default;
+};
+
 struct ChartModel {
   std::string title;
   std::string note;  ///< one line below the title: "3544 stems, median 0.9 cm (0.7 to 1.1)"
@@ -82,6 +92,7 @@ struct ChartModel {
   std::vector<ChartRule> rules;
   std::vector<ChartBars> bars;
   std::vector<ChartPoints> points;
+  std::vector<ChartBox> boxes;
   std::string empty_text;  ///< why there is nothing to see, and what to do; empty when there is
   bool operator==(const ChartModel&) const = default;
 };

@@ -64,8 +64,7 @@ RigidTransform align_truths(std::vector<QueryRow>& rows) {
   for (QueryRow& row : rows) {
     if (!row.found()) continue;
     const RigidTransform survey_from_candidate = row.survey_from_query * row.candidate_from_query.inverse();
-    row.error = pose_error(row.candidate_from_query,
-                           survey_from_candidate.inverse() * map_from_query_survey * row.true_survey_from_query);
+    compare_with_truth(row, survey_from_candidate.inverse() * map_from_query_survey * row.true_survey_from_query);
   }
   return map_from_query_survey;
 }

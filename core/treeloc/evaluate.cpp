@@ -37,28 +37,9 @@ QueryRow row_of(const Scene& query, const Localization& found, std::span<const S
   row.runner_up_score = found.candidates.size() > 1 ? found.candidates[1].score : 0.0;
   row.candidate_from_query = best.candidate_from_query;
   row.survey_from_query = scene.survey_from_scene * best.candidate_from_query;
-  row.error = pose_error(best.candidate_from_query, scene.survey_from_scene.inverse() * query.survey_from_scene);
+  row.covariance = found.covariance;
+  compare_with_truth(row, scene.survey_from_scene.inverse() * query.survey_from_scene);
   return row;
-}
-
-PoseMetrics pose_metrics(std::span<const QueryRow> rows, const EvaluateSettings& protocol, bool spatial) {
-  PoseMetrics m;
-  double successes = 0.0;
-  for (const QueryRow& row : rows) {
-    const double distance_m = spatial ? row.error.spatial_m() : row.error.planar_m();
-    const double angle_deg = spatial ? row.error.rotation_deg() : std::abs(row.error.angle_deg[2]);
-    if (!row.found() || distance_m > protocol.pose_limit_m || angle_deg > protocol.pose_limit_deg) continue;
-    m.r50 += 1.0;
-    if (!row.positive) continue;
-    successes += 1.0;
-    m.ate_m += distance_m;
-    m.are_deg += angle_deg;
-  }
-  const double n = std::max<double>(1.0, static_cast<double>(rows.size()));
-  m.r50 /= n;
-  m.sr = successes / n;
-  if (successes > 0.0) m.ate_m /= successes, m.are_deg /= successes;
-  return m;
 }
 
 EvaluationTiming timing_of(std::span<const Localization> found) {
@@ -98,6 +79,7 @@ Evaluation measure(const Localizer& localizer, const Selection& selection, const
   for (std::size_t q = 0; q < found.size(); ++q) {
     if (selection.has_positive[q] != 0) {
       e.rows.push_back(row_of(selection.queries[q], found[q], localizer.scenes(), protocol));
+      e.rows.back().query_s = found[q].retrieve_s + found[q].verify_s;
       timed.push_back(found[q]);
       continue;
     }
@@ -119,7 +101,7 @@ void select(Selection& selection, const Scene& query, std::span<const Scene> map
             const EvaluateSettings& protocol) {
   constexpr double nothing_within_m = 30.0;
   const double nearest = nearest_m(query, map, limit);
-  if (limit == 0 || (nearest > protocol.positive_m && nearest < nothing_within_m)) return;
+  if (limit == 0 || (nearest > protocol.positive_m && (nearest < nothing_within_m || !protocol.with_negatives))) return;
   selection.queries.push_back(query);
   selection.limits.push_back(limit);
   selection.has_positive.push_back(nearest <= protocol.positive_m ? 1 : 0);
@@ -148,7 +130,8 @@ Fields EvaluateSettings::fields(const std::string& prefix) {
           {prefix + ".positive_m", "m", "A candidate truly within this planar distance is a positive", &positive_m},
           {prefix + ".pose_limit_m", "m", "Position error of a successful pose", &pose_limit_m},
           {prefix + ".pose_limit_deg", "deg", "Rotation error of a successful pose", &pose_limit_deg},
-          {prefix + ".thresholds", "", "Score thresholds of the precision-recall sweep", &thresholds}};
+          {prefix + ".thresholds", "", "Score thresholds of the precision-recall sweep", &thresholds},
+          {prefix + ".with_negatives", "", "Ask for queries with nothing within 30 m too", &with_negatives}};
 }
 
 double PoseError::planar_m() const { return std::hypot(position_m[0], position_m[1]); }
@@ -162,6 +145,36 @@ PoseError pose_error(const RigidTransform& estimate, const RigidTransform& truth
   e.position_m = {d.x(), d.y(), d.z()};
   e.angle_deg = {degrees(angles.roll_rad), degrees(angles.pitch_rad), degrees(angles.yaw_rad)};
   return e;
+}
+
+void compare_with_truth(QueryRow& row, const RigidTransform& true_candidate_from_query) {
+  row.true_candidate_from_query = true_candidate_from_query;
+  row.error = pose_error(row.candidate_from_query, true_candidate_from_query);
+  row.mahalanobis_sq = mahalanobis_sq(row.candidate_from_query, row.covariance, true_candidate_from_query);
+}
+
+bool is_success(const QueryRow& row, const EvaluateSettings& protocol, bool spatial) {
+  const double distance_m = spatial ? row.error.spatial_m() : row.error.planar_m();
+  const double angle_deg = spatial ? row.error.rotation_deg() : std::abs(row.error.angle_deg[2]);
+  return row.found() && distance_m <= protocol.pose_limit_m && angle_deg <= protocol.pose_limit_deg;
+}
+
+PoseMetrics pose_metrics(std::span<const QueryRow> rows, const EvaluateSettings& protocol, bool spatial) {
+  PoseMetrics m;
+  double successes = 0.0;
+  for (const QueryRow& row : rows) {
+    if (!is_success(row, protocol, spatial)) continue;
+    m.r50 += 1.0;
+    if (!row.positive) continue;
+    successes += 1.0;
+    m.ate_m += spatial ? row.error.spatial_m() : row.error.planar_m();
+    m.are_deg += spatial ? row.error.rotation_deg() : std::abs(row.error.angle_deg[2]);
+  }
+  const double n = std::max<double>(1.0, static_cast<double>(rows.size()));
+  m.r50 /= n;
+  m.sr = successes / n;
+  if (successes > 0.0) m.ate_m /= successes, m.are_deg /= successes;
+  return m;
 }
 
 RetrievalMetrics retrieval_metrics(std::span<const QueryRow> rows, int thresholds) {
@@ -201,6 +214,7 @@ Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, c
   Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;
   count_accepted(e, e.rows);
+  e.calibration = calibration_of(e.rows);
   return e;
 }
 
@@ -223,6 +237,8 @@ Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, st
   align_truths(aligned);
   count_accepted(e, aligned);
   e.pose_3d_truth_aligned = pose_metrics(aligned, protocol, true);
+  e.calibration = calibration_of(aligned);
+  e.truth_aligned_rows = std::move(aligned);
   return e;
 }
 

@@ -19,6 +19,7 @@ struct EvaluateSettings {
   double pose_limit_m = 0.5;
   double pose_limit_deg = 5.0;
   int thresholds = 1000;
+  bool with_negatives = true;  ///< ask for queries with nothing within 30 m too, to see how high a score chance reaches
   Fields fields(const std::string& prefix);
 };
 
@@ -42,8 +43,12 @@ struct QueryRow {
   int votes = 0;
   double candidate_distance_m = 0.0;  ///< true planar distance of the candidate
   double runner_up_score = 0.0;
+  double query_s = 0.0;  ///< retrieval to pose
   PoseError error;
   RigidTransform candidate_from_query;
+  PoseCovariance covariance = PoseCovariance::Zero();  ///< of candidate_from_query
+  double mahalanobis_sq = 0.0;                         ///< of the truth, by it
+  RigidTransform true_candidate_from_query;
   RigidTransform survey_from_query;  ///< estimate, in the database's frame
   RigidTransform true_survey_from_query;
   bool found() const { return candidate >= 0; }
@@ -57,6 +62,16 @@ struct RetrievalMetrics {
   double recall_at_1 = 0.0, mr = 0.0, mf1 = 0.0, auc = 0.0;
 };
 
+/// Do the covariances tell the truth? Over found poses within 1 m of the truth (a wrong place is no matter of covariance).
+struct Calibration {
+  int poses = 0;
+  double inside_95 = 0.0;           ///< share of truths inside the 95 % region of all six degrees of freedom
+  double inside_95_position = 0.0;  ///< of x, y, z alone
+  double inside_95_rotation = 0.0;  ///< of the rotation alone
+  double median_position_sd_m = 0.0;    ///< square root of the trace
+  double median_rotation_sd_deg = 0.0;
+};
+
 struct EvaluationTiming {
   double describe_ms_per_scene = 0.0, retrieve_ms_per_query = 0.0, verify_ms_per_query = 0.0, query_ms_mean = 0.0,
          query_ms_p99 = 0.0;
@@ -65,10 +80,12 @@ struct EvaluationTiming {
 
 struct Evaluation {
   std::vector<QueryRow> rows;
+  std::vector<QueryRow> truth_aligned_rows;  ///< inter: the same with errors after one SE(3) was fitted between the truths
   std::size_t map_scenes = 0;
   RetrievalMetrics retrieval;
   PoseMetrics pose_2d, pose_3d;
   std::optional<PoseMetrics> pose_3d_truth_aligned;  ///< inter: after one SE(3) was fitted between the truths
+  Calibration calibration;                           ///< inter: after that fit
   EvaluationTiming timing;
   /// What the method's fixed threshold accepts. `wrong`: planar distance from the truth (moved by the fitted SE(3) between
   /// sessions) above 1 m.
@@ -88,6 +105,14 @@ Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, c
 Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon> regions,
                           const Settings& settings, const EvaluateSettings& protocol, int threads, const Progress& progress);
 
+/// Of rows whose `error` and `mahalanobis_sq` are against the truth that counts.
+Calibration calibration_of(std::span<const QueryRow> rows);
+/// Fills in `error` and `mahalanobis_sq` against a truth.
+void compare_with_truth(QueryRow& row, const RigidTransform& true_candidate_from_query);
+
+/// Is the pose within the protocol's limits, in the plane or in space? (R@50; with a positive candidate: SR.)
+bool is_success(const QueryRow& row, const EvaluateSettings& protocol, bool spatial);
+PoseMetrics pose_metrics(std::span<const QueryRow> rows, const EvaluateSettings& protocol, bool spatial);
 RetrievalMetrics retrieval_metrics(std::span<const QueryRow> rows, int thresholds);
 
 }  // namespace stemwise::treeloc

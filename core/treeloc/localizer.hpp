@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/jobs/progress.hpp"
+#include "core/treeloc/pose_covariance.hpp"
 #include "core/treeloc/scene.hpp"
 #include "core/treeloc/settings.hpp"
 
@@ -25,6 +26,7 @@ struct Candidate {
 /// The answer to one query.
 struct Localization {
   std::vector<Candidate> candidates;  ///< verified ones, the chosen one first, the others by score
+  PoseCovariance covariance = PoseCovariance::Zero();  ///< of the chosen one's pose
   int triangles = 0;
   double describe_s = 0.0, retrieve_s = 0.0, verify_s = 0.0;
 };

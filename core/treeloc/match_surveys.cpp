@@ -56,7 +56,8 @@ std::vector<SceneConstraint> match_surveys(std::vector<Scene> scenes_a, std::spa
     const Scene& in_a = localizer->scenes()[best.scene];
     constraints.push_back(
         {best.scene, chosen[q], in_a.survey_from_scene * best.candidate_from_query * queries[q].survey_from_scene.inverse(),
-         best.candidate_from_query, in_a.tilt_observed && queries[q].tilt_observed, best.score, best.evidence, best.pairs});
+         best.candidate_from_query, in_a.tilt_observed && queries[q].tilt_observed, best.score, best.evidence, best.pairs,
+         found[q].covariance});
   }
   return constraints;
 }

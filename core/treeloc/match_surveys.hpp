@@ -20,6 +20,7 @@ struct SceneConstraint {
   double score = 0.0;
   double evidence = 0.0;  ///< how far beyond chance the matched trees are (log)
   int pairs = 0;          ///< matched trees
+  PoseCovariance covariance = PoseCovariance::Zero();  ///< of scene_a_from_scene_b (pose_covariance.hpp)
 };
 
 struct MatchSurveysSettings {

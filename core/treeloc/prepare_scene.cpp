@@ -134,10 +134,21 @@ void observe_ground(Scene& scene) {
   scene.ground_m = *middle;
 }
 
+/// Axes are lines: of a sensor that was mounted steeply tilted (above 45 degrees) they do not say which end is up, but then
+/// the stem bases do, which lie below it.
+Eigen::Matrix3d upright(const Eigen::Matrix3d& aligned_from_scene, const std::vector<Offer>& offers) {
+  constexpr double steep_cosine = 0.7;
+  if (aligned_from_scene(2, 2) > steep_cosine) return aligned_from_scene;
+  double sum_m = 0.0;
+  for (const Offer& offer : offers) sum_m += aligned_from_scene.row(2).dot(offer.position_m);
+  const Eigen::Matrix3d overturned = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  return sum_m > 0.0 ? overturned * aligned_from_scene : aligned_from_scene;
+}
+
 Scene scene_from(const std::vector<Offer>& offers, std::span<const Eigen::Vector3d> axes, const AlignAxesSettings& settings) {
   Scene scene;
   if (const auto rotation = align_axes(axes, settings)) {
-    scene.aligned_from_scene = *rotation;
+    scene.aligned_from_scene = upright(*rotation, offers);
     scene.tilt_observed = true;
   }
   scene.trees.reserve(offers.size());
@@ -186,7 +197,7 @@ double ground_near(std::span<const Stem> stems, std::span<const std::size_t> nea
 }  // namespace
 
 Fields PrepareSettings::fields(const std::string& prefix) {
-  return {
+  Fields fields{
       {prefix + ".local_radius_m", "m", "Trees farther than this in x or y are left out", &local_radius_m},
       {prefix + ".min_reconstructed", "", "With fewer reconstructed trees those of preceding frames are added",
        &min_reconstructed},
@@ -194,6 +205,8 @@ Fields PrepareSettings::fields(const std::string& prefix) {
       {prefix + ".search_radius_m", "m", "Preceding frames farther away than this add nothing", &search_radius_m},
       {prefix + ".dedup_radius_m", "m", "An added tree closer than this to one already there is the same tree", &dedup_radius_m},
       {prefix + ".target_tree_count", "", "With fewer trees, candidate stems fill up, best observed first", &target_tree_count}};
+  for (Field& field : sensor.fields(prefix + ".sensor")) fields.push_back(std::move(field));
+  return fields;
 }
 
 Scene prepare_frame_scene(const FrameSet& set, std::size_t index, const PrepareSettings& settings,
@@ -209,7 +222,6 @@ Scene prepare_frame_scene(const FrameSet& set, std::size_t index, const PrepareS
   Scene scene = scene_from(choose_trees(set, index, settings), axes, axes_settings);
   scene.number = frame.number;
   scene.survey_from_scene = frame.pose.survey_from_frame;
-  scene.from_frame = true;
   return scene;
 }
 
@@ -239,6 +251,7 @@ std::vector<Scene> prepare_frame_scenes(const FrameSet& set, const PrepareSettin
                                         int threads) {
   std::vector<Scene> scenes(set.frames.size());
   parallel_for(scenes.size(), threads, [&](std::size_t i) { scenes[i] = prepare_frame_scene(set, i, settings, axes); });
+  mark_level_sensor(scenes, settings.sensor);
   return scenes;
 }
 

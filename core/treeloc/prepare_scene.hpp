@@ -6,6 +6,7 @@
 #include "core/forest/frame_set.hpp"
 #include "core/treeloc/align_axes.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/sensor_height.hpp"
 
 namespace stemwise::treeloc {
 
@@ -17,6 +18,7 @@ struct PrepareSettings {
   double search_radius_m = 10.0;
   double dedup_radius_m = 0.1;
   int target_tree_count = 30;
+  SensorHeightSettings sensor;
   Fields fields(const std::string& prefix);
 };
 
@@ -29,7 +31,7 @@ Scene prepare_frame_scene(const FrameSet& set, std::size_t index, const PrepareS
 Scene prepare_cut_scene(std::span<const Stem> stems, std::span<const std::size_t> nearby, const Eigen::Vector3d& center_m,
                         std::int64_t number, const PrepareSettings& settings, const AlignAxesSettings& axes);
 
-/// All scenes of a frame set, in its order.
+/// All scenes of a frame set, in its order; marked where the survey's sensor was carried at a constant height.
 std::vector<Scene> prepare_frame_scenes(const FrameSet& set, const PrepareSettings& settings, const AlignAxesSettings& axes,
                                         int threads);
 

@@ -38,6 +38,7 @@ public:
     }
     std::stable_sort(found.candidates.begin(), found.candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    if (!found.candidates.empty()) found.covariance = covariance_of(query, found.candidates.front());
     found.triangles = static_cast<int>(descriptor.triangles.size());
     found.describe_s = seconds(start, described);
     found.retrieve_s = seconds(described, verifying);
@@ -66,6 +67,19 @@ private:
     c.score = overlap_score(c.pairs, query.trees.size(), scene.trees.size(), c.displacement_m, s.overlap);
     c.candidate_from_query = six_dof(query, scene, pose, retrieved.scene);
     return c;
+  }
+
+  /// Not published: what the residuals of the paired trees say. A height prior is no part of that method.
+  PoseCovariance covariance_of(const Scene& query, const Candidate& best) {
+    const Scene& scene = db_.scenes[best.scene];
+    const RigidTransform aligned{
+        scene.aligned_from_scene * best.candidate_from_query.rotation * query.aligned_from_scene.transpose(),
+        scene.aligned_from_scene * best.candidate_from_query.translation_m};
+    matcher_.pair(query_trees_.trees(0), db_.trees.trees(best.scene), planar_part(aligned), db_.settings.match.fine_m);
+    RefinePoseSettings residuals = db_.settings.refine;
+    residuals.height_prior = false;
+    const PoseCovariance alone = pair_covariance(query, scene, matcher_.pairs(), best.candidate_from_query, residuals);
+    return fused_covariance(alone, scene.survey_from_scene.rotation, {}, {}, db_.settings.covariance);
   }
 
   /// eq. 9 once more, over the paired trees.

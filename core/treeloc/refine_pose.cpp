@@ -131,7 +131,7 @@ RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<co
                         const RefinePoseSettings& settings) {
   RefinedPose refined;
   refined.planar = refine_planar(query, candidate, pairs, start, settings);
-  const bool level_sensor = settings.height_prior && query.from_frame && candidate.from_frame;
+  const bool level_sensor = settings.height_prior && query.level_sensor && candidate.level_sensor;
   const Eigen::Vector4d tilt =
       solve_tilt(tilt_pairs(query, candidate, pairs, refined.planar), refined.planar.displacement_m(), level_sensor, settings);
   const RigidTransform correction{rotation_from({tilt[1], tilt[2], 0.0}), {0.0, 0.0, tilt[0]}};

@@ -27,7 +27,7 @@ struct Scene {
   RigidTransform survey_from_scene;  ///< where the scene stands in its survey: the frame's pose, or the sampled position
   Eigen::Matrix3d aligned_from_scene = Eigen::Matrix3d::Identity();  ///< R^A of eq. 1
   bool tilt_observed = false;                                        ///< roll and pitch came from stem axes
-  bool from_frame = false;                                           ///< a carried sensor stood at its origin
+  bool level_sensor = false;  ///< a frame of a survey whose sensor was carried at a constant height (sensor_height.hpp)
   double ground_m = 0.0;  ///< base height under the origin in the aligned frame, from the nearest trees
   bool ground_observed = false;
   std::vector<SceneTree> trees;  ///< in order of x: pairing relies on it; at most 255

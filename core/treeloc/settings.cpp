@@ -52,6 +52,8 @@ Issues Settings::check() {
   need(outliers.yaw_bin_deg >= 0.1 && outliers.yaw_bin_deg <= 180.0, "outliers.yaw_bin_deg", "must be 0.1 to 180 degrees");
   need(vertical.sample >= 3 && vertical.trials >= 1, "vertical.sample", "must be at least 3");
   need(overlap.sigma_t_m > 0.0, "overlap.sigma_t_m", "must be above 0");
+  need(covariance.inflation > 0.0, "covariance.inflation", "must be above 0");
+  need(covariance.scenes_per_independent >= 1.0, "covariance.scenes_per_independent", "must be at least 1");
   return issues;
 }
 
@@ -65,6 +67,7 @@ Fields Settings::fields() {
   append(all, verify.fields("verify"));
   append(all, refine.fields("refine"));
   append(all, fuse.fields("fuse"));
+  append(all, covariance.fields("covariance"));
   append(all, tdh.fields("tdh"));
   append(all, pdh.fields("pdh"));
   append(all, retrieve.fields("retrieve"));

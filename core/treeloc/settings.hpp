@@ -11,6 +11,7 @@
 #include "core/treeloc/fuse_poses.hpp"
 #include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/overlap_score.hpp"
+#include "core/treeloc/pose_covariance.hpp"
 #include "core/treeloc/prepare_scene.hpp"
 #include "core/treeloc/refine_pose.hpp"
 #include "core/treeloc/reject_outliers.hpp"
@@ -35,6 +36,7 @@ struct Settings {
   std::uint64_t seed = 0;  ///< of the published method's RANSAC; the default method has no random choice
   PrepareSettings scene;
   AlignAxesSettings axes;
+  CovarianceSettings covariance;
   TriangleSettings triangles;
   // The default method
   VoteSettings vote;

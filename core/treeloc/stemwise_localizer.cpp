@@ -170,22 +170,28 @@ private:
     chosen.evidence =
         chance_evidence(chosen.pairs, query_trees_.trees(0), db_.trees.trees(chosen.scene), db_.settings.match.fine_m,
                         db_.settings.match.tau_dbh_m, db_.settings.vote.gate_m, db_.scenes.size());
-    if (db_.settings.fuse.enabled) fuse(found.candidates);
+    fuse(query, found);
     return found;
   }
 
-  /// Replaces the chosen candidate's pose by the mean of what the strong ones say that agree with it.
-  void fuse(std::vector<Candidate>& candidates) const {
-    const Candidate& chosen = candidates.front();
-    const RigidTransform reference = db_.scenes[chosen.scene].survey_from_scene * chosen.candidate_from_query;
+  /// Replaces the chosen candidate's pose by the mean of what the strong ones say that agree with it; its covariance.
+  void fuse(const Scene& query, Localization& found) {
+    Candidate& chosen = found.candidates.front();
+    const Scene& scene = db_.scenes[chosen.scene];
+    RigidTransform fused = scene.survey_from_scene * chosen.candidate_from_query;
     std::vector<WeightedPose> poses;
-    for (const Candidate& c : candidates) {
+    for (const Candidate& c : found.candidates) {
       const RigidTransform pose = db_.scenes[c.scene].survey_from_scene * c.candidate_from_query;
-      if ((pose.translation_m - reference.translation_m).norm() > 1.5) continue;
+      if ((pose.translation_m - fused.translation_m).norm() > 1.5) continue;
       poses.push_back({pose, c.score});
     }
-    const RigidTransform fused = fuse_poses(poses, db_.settings.fuse);
-    candidates.front().candidate_from_query = db_.scenes[chosen.scene].survey_from_scene.inverse() * fused;
+    if (!db_.settings.fuse.enabled) poses.clear();
+    if (!poses.empty()) fused = fuse_poses(poses, db_.settings.fuse);
+    if (!poses.empty()) chosen.candidate_from_query = scene.survey_from_scene.inverse() * fused;
+    matcher_.pair(query_trees_.trees(0), db_.trees.trees(chosen.scene), verified_.front().pose, db_.settings.match.fine_m);
+    const PoseCovariance alone =
+        pair_covariance(query, scene, matcher_.pairs(), chosen.candidate_from_query, db_.settings.refine);
+    found.covariance = fused_covariance(alone, scene.survey_from_scene.rotation, poses, fused, db_.settings.covariance);
   }
 
   const Database& db_;

@@ -35,6 +35,7 @@ class ChartPainter {
     bars();
     rules();
     points();
+    boxes();
     clip(false);
     axes();
     labels();
@@ -197,11 +198,28 @@ class ChartPainter {
       if (point.y_error > 0.0) canvas_.line(x_px(point.x), y_px(point.y - point.y_error), x_px(point.x), y_px(point.y + point.y_error), colour, 1.6);
     for (const ChartPoint& point : series.points) cairo_line_to(cr, x_px(point.x), y_px(point.y));
     canvas_.stroke(colour, 1.8);
+    if (!series.has_marks) return;
     for (const ChartPoint& point : series.points) {
       canvas_.circle(x_px(point.x), y_px(point.y), 4.5);
       canvas_.fill(colours_.panel);
       canvas_.circle(x_px(point.x), y_px(point.y), 4.5);
       canvas_.stroke(colour, 1.8);
+    }
+  }
+
+  void boxes() const {
+    for (const ChartBox& box : chart_.boxes) {
+      const Rgba colour = chart_colour(box.colour, style_.theme);
+      const double left = x_px(box.x - 0.5 * box.width), right = x_px(box.x + 0.5 * box.width), middle = x_px(box.x);
+      for (const auto& [end, edge] : {std::pair(box.whisker_low, box.low), std::pair(box.whisker_high, box.high)}) {
+        canvas_.line(middle, y_px(end), middle, y_px(edge), colour, 1.4);
+        canvas_.line(0.5 * (left + middle), y_px(end), 0.5 * (right + middle), y_px(end), colour, 1.4);
+      }
+      cairo_rectangle(canvas_.cairo(), left, y_px(box.high), right - left, y_px(box.low) - y_px(box.high));
+      canvas_.fill(colour.with_alpha(0.35));
+      cairo_rectangle(canvas_.cairo(), left, y_px(box.high), right - left, y_px(box.low) - y_px(box.high));
+      canvas_.stroke(colour, 1.4);
+      canvas_.line(left, y_px(box.median), right, y_px(box.median), colours_.text, 2.0);
     }
   }
 
