@@ -131,6 +131,8 @@ Fields EvaluateSettings::fields(const std::string& prefix) {
           {prefix + ".pose_limit_m", "m", "Position error of a successful pose", &pose_limit_m},
           {prefix + ".pose_limit_deg", "deg", "Rotation error of a successful pose", &pose_limit_deg},
           {prefix + ".thresholds", "", "Score thresholds of the precision-recall sweep", &thresholds},
+          {prefix + ".height_between_surveys_m", "m", "How much the carried sensors of two surveys differ in height",
+           &height_between_surveys_m},
           {prefix + ".with_negatives", "", "Ask for queries with nothing within 30 m too", &with_negatives}};
 }
 
@@ -229,7 +231,9 @@ Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, st
   }
   queries.clear();
   queries.shrink_to_fit();
-  const auto localizer = make_localizer(settings);
+  Settings between = settings;
+  between.refine.height_prior_m = std::hypot(settings.refine.height_prior_m, protocol.height_between_surveys_m);
+  const auto localizer = make_localizer(between);
   const double index_s = timed_add(*localizer, std::move(map), threads);
   Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;

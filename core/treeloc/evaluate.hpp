@@ -19,6 +19,7 @@ struct EvaluateSettings {
   double pose_limit_m = 0.5;
   double pose_limit_deg = 5.0;
   int thresholds = 1000;
+  double height_between_surveys_m = 0.3;  ///< inter: how much the carried sensors of two surveys differ in height
   bool with_negatives = true;  ///< ask for queries with nothing within 30 m too, to see how high a score chance reaches
   Fields fields(const std::string& prefix);
 };

@@ -168,7 +168,7 @@ TEST(Switch, EveryAblationOfTheDefaultMethodReachesTheResult) {
   const double plain = fingerprint(evaluated(Method::stemwise, "", ""));
   const std::pair<const char*, const char*> switches[] = {
       {"triangles.orientation", "false"}, {"triangles.area", "true"},  {"vote.gate_m", "100"},         {"vote.tau_dbh_m", "0.01"},
-      {"match.steps", "1"},               {"vote.verified", "1"},      {"verify.strong_share", "0.2"}, {"verify.propagate_most", "0"},
+      {"match.steps", "1"},               {"vote.verified", "1"},      {"verify.strong_share", "1"}, {"verify.propagate_most", "0"},
       {"axes.enabled", "false"},          {"refine.iterations", "1"},  {"refine.height_prior", "false"}, {"fuse.enabled", "false"},
       {"verify.penalty_m", "2"},          {"scene.local_radius_m", "12"}};
   for (const auto& [key, value] : switches) EXPECT_NE(fingerprint(evaluated(Method::stemwise, key, value)), plain) << key;
@@ -176,7 +176,7 @@ TEST(Switch, EveryAblationOfTheDefaultMethodReachesTheResult) {
 
 TEST(Switch, EveryAblationOfThePublishedMethodReachesTheResult) {
   const double plain = fingerprint(evaluated(Method::treelocpp, "", ""));
-  const std::pair<const char*, const char*> switches[] = {{"retrieve.multiset", "false"}, {"overlap.penalty", "false"},   {"overlap.sigma_t_m", "2"},
+  const std::pair<const char*, const char*> switches[] = {{"retrieve.kept_by_histograms", "2"}, {"overlap.penalty", "false"},   {"overlap.sigma_t_m", "2"},
                                                           {"planar.irls", "false"},       {"roll_pitch.enabled", "false"}, {"vertical.joint", "false"},
                                                           {"axes.enabled", "false"},      {"retrieve.verified", "1"},      {"scene.local_radius_m", "12"}};
   for (const auto& [key, value] : switches) EXPECT_NE(fingerprint(evaluated(Method::treelocpp, key, value)), plain) << key;
