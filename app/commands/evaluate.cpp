@@ -50,7 +50,6 @@ private:
     return setup_.check();
   }
 
-  /// The map first: what "auto" derives from a survey it derives from the map.
   ExitCode read_and_describe() {
     if (inter()) {
       if (const ExitCode code = read_scenes(options_.map_folder, true); code != ExitCode::done) return code;
@@ -64,7 +63,7 @@ private:
     const auto inventory = setup_.read(folder);
     about_.read_s += seconds_since(start);
     if (!inventory) return ExitCode::unusable_input;
-    if (is_map) settings_ = setup_.settings_for(*inventory->frames);
+    if (is_map) settings_ = setup_.settings();
     const auto described = Clock::now();
     auto& scenes = inter() && is_map ? map_ : queries_;
     scenes = inter() && is_map ? setup_.map_scenes(*inventory->frames, settings_) : setup_.query_scenes(*inventory->frames, settings_);

@@ -124,8 +124,8 @@ class PairsRun {
 
   void evaluate() {
     const double all = static_cast<double>(surveys_.size() * (surveys_.size() - 1));
+    const treeloc::Settings settings = setup_.settings();
     for (const Inventory& map : surveys_) {
-      const treeloc::Settings settings = setup_.settings_for(*map.frames);
       const auto scenes = setup_.map_scenes(*map.frames, settings);
       for (const Inventory& query : surveys_) {
         if (&query == &map) continue;

@@ -87,8 +87,8 @@ Result<Inventory> EvaluateSetup::read(const std::string& folder) {
   return inventory;
 }
 
-treeloc::Settings EvaluateSetup::settings_for(const FrameSet& map, const SettingTexts& more) const {
-  treeloc::Settings settings = treeloc::resolve_settings(treeloc::settings_for(method_, preset_), map);
+treeloc::Settings EvaluateSetup::settings(const SettingTexts& more) const {
+  treeloc::Settings settings = treeloc::settings_for(method_, preset_);
   settings.seed = session_.common.seed;
   treeloc::EvaluateSettings protocol;
   std::string preset;

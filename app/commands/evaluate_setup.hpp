@@ -29,8 +29,8 @@ class EvaluateSetup {
   /// Everything that can be wrong before a frame is read; says so. Warns of settings that the method does not use.
   ExitCode check();
   Result<Inventory> read(const std::string& folder);
-  /// The method's settings for a map: the preset that "auto" derives from it, then `--config` and `--set`, then `more`.
-  treeloc::Settings settings_for(const FrameSet& map, const SettingTexts& more = {}) const;
+  /// The method's settings: the preset, then `--config` and `--set`, then `more`.
+  treeloc::Settings settings(const SettingTexts& more = {}) const;
   std::vector<treeloc::Scene> query_scenes(const FrameSet& frames, const treeloc::Settings& settings) const;
   /// Frames, or with `--map-mode global` the survey's trees as one list, cut on a 5 m grid (the paper's section IV-E).
   std::vector<treeloc::Scene> map_scenes(const FrameSet& frames, const treeloc::Settings& settings) const;

@@ -134,7 +134,7 @@ class SweepRun {
     }
     for (const std::string& what : sweep_names()) {
       if (options_.what != "all" && options_.what != what) continue;
-      const auto more = sweep_cases(what, *treeloc::method_from(options_.method.method), setup_.settings_for(*map_));
+      const auto more = sweep_cases(what, *treeloc::method_from(options_.method.method), setup_.settings());
       cases_.insert(cases_.end(), more.begin(), more.end());
     }
     return ExitCode::done;
@@ -142,7 +142,7 @@ class SweepRun {
 
   /// Query and map as this case and trial has them. Intra: one survey, so what turns or deletes does it to all of it; noise too.
   Evaluation evaluate(const SweepCase& c, std::uint64_t seed, const Progress& progress) const {
-    const treeloc::Settings settings = setup_.settings_for(*map_, c.settings);
+    const treeloc::Settings settings = setup_.settings(c.settings);
     treeloc::EvaluateSettings protocol = setup_.protocol();
     protocol.with_negatives = false;
     const int threads = session_.common.threads;

@@ -27,8 +27,7 @@ Fields MatchSurveysSettings::fields(const std::string& prefix) {
 }
 
 std::vector<Scene> survey_scenes(const FrameSet& frames, const Settings& method, int threads) {
-  const Settings resolved = resolve_settings(method, frames);
-  return prepare_frame_scenes(frames, resolved.scene, resolved.axes, threads);
+  return prepare_frame_scenes(frames, method.scene, method.axes, threads);
 }
 
 std::vector<Scene> survey_scenes(std::span<const Stem> stems, const Settings& method, const MatchSurveysSettings& settings,

@@ -116,29 +116,13 @@ void use_predecessor(Settings& s) {
 Settings settings_for(Method method, const std::string& preset) {
   Settings s;
   s.method = method;
-  s.derive_from_survey = preset == "auto";
   if (method == Method::stemwise && preset == "auto") return s;
   s.triangles.area = method != Method::stemwise;
   s.triangles.orientation = method == Method::stemwise;
   if (method != Method::stemwise) s.axes.min_clusters = 3, s.axes.refinements = 0;
-  (preset == "plot" ? use_plot : use_route)(s);
+  (preset == "route" ? use_route : use_plot)(s);
   if (method == Method::treeloc) use_predecessor(s);
   return s;
-}
-
-Settings resolve_settings(const Settings& settings, const FrameSet& survey) {
-  if (!settings.derive_from_survey || settings.method == Method::stemwise || survey.frames.empty()) return settings;
-  Eigen::Vector3d low = survey.frames.front().pose.survey_from_frame.translation_m, high = low;
-  for (const Frame& frame : survey.frames) {
-    low = low.cwiseMin(frame.pose.survey_from_frame.translation_m);
-    high = high.cwiseMax(frame.pose.survey_from_frame.translation_m);
-  }
-  constexpr double largest_plot_m = 150.0;
-  Settings resolved = settings;
-  const PrepareSettings asked = settings.scene;
-  ((high - low).head<2>().norm() < largest_plot_m ? use_plot : use_route)(resolved);
-  resolved.scene.preceding_frames = asked.preceding_frames;
-  return resolved;
 }
 
 }  // namespace stemwise::treeloc

@@ -53,18 +53,15 @@ struct Settings {
   EstimateRollPitchSettings roll_pitch;
   CorrectVerticalSettings vertical;
   OverlapScoreSettings overlap;
-  /// "auto": what differs between the published presets is taken from the survey's extent (resolve_settings).
-  bool derive_from_survey = true;
 
   /// All of them under "scene.", "axes.", ...: what `--set` takes.
   Fields fields();
   Issues check();
 };
 
-/// The settings of a method. `preset`: "auto" (the default; one for all sites), "plot" or "route" (the published ones).
+/// The settings of a method. `preset`: "auto" (the default; one for all sites), "plot" or "route" (the published ones). Of the
+/// published methods "auto" is "plot": with its triangles the published figures come out on plots and routes alike
+/// (docs/evaluation.md).
 Settings settings_for(Method method, const std::string& preset);
-
-/// What "auto" leaves open is derived from the survey itself; the same for every site.
-Settings resolve_settings(const Settings& settings, const FrameSet& survey);
 
 }  // namespace stemwise::treeloc

@@ -25,22 +25,24 @@ Fields TdhSettings::fields(const std::string& prefix) {
           {prefix + ".radial_overlap_m", "m", "What a distance bin is widened by on both sides", &radial_overlap_m},
           {prefix + ".dbh_bins", "", "Bins of diameter; the last one is open", &dbh_bins},
           {prefix + ".dbh_step_m", "m", "Distance between the starts of two diameter bins", &dbh_step_m},
-          {prefix + ".dbh_width_m", "m", "Width of a diameter bin", &dbh_width_m}};
+          {prefix + ".dbh_width_m", "m", "Width of a diameter bin", &dbh_width_m},
+          {prefix + ".count_once", "", "A tree in two overlapping bins counts in the first one only", &count_once}};
 }
 
 std::vector<float> tree_distribution_histogram(const Scene& scene, const TdhSettings& settings) {
   const auto rows = static_cast<std::size_t>(settings.radial_bins), columns = static_cast<std::size_t>(settings.dbh_bins);
   std::vector<float> h(rows * columns, 0.0F);
+  const double widened_m = settings.count_once ? 0.0 : settings.radial_overlap_m;
   for (const SceneTree& tree : scene.trees) {
     const double range_m = tree.position_m.head<2>().norm();
     for (std::size_t r = 0; r < rows; ++r) {
       const double from_m = static_cast<double>(r) * settings.radial_width_m;
-      if (range_m < from_m - settings.radial_overlap_m || range_m >= from_m + settings.radial_width_m + settings.radial_overlap_m)
-        continue;
+      if (range_m < from_m - widened_m || range_m >= from_m + settings.radial_width_m + widened_m) continue;
       for (std::size_t c = 0; c < columns; ++c) {
         const double least_m = static_cast<double>(c) * settings.dbh_step_m;
-        if (tree.dbh_m >= least_m && (tree.dbh_m < least_m + settings.dbh_width_m || c + 1 == columns))
-          h[r * columns + c] += 1.0F;
+        if (tree.dbh_m < least_m || (tree.dbh_m >= least_m + settings.dbh_width_m && c + 1 < columns)) continue;
+        h[r * columns + c] += 1.0F;
+        if (settings.count_once) break;
       }
     }
   }

@@ -16,6 +16,7 @@ struct TdhSettings {
   int dbh_bins = 8;
   double dbh_step_m = 0.1;
   double dbh_width_m = 0.15;
+  bool count_once = true;  ///< a tree in two overlapping bins counts in the first one only
   Fields fields(const std::string& prefix);
 };
 

@@ -134,7 +134,6 @@ TEST_F(EvaluateCommand, ASwitchThatTheMethodDoesNotHaveIsSaidAndOneOfThePresetHo
   const ProgramRun run = run_stemwise({"evaluate", "inter", year("2015"), year("2019"), "--set", "tdh.enabled=false"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("tdh.enabled changes nothing"));
-  // "auto" derives the preset from the map; what was set by hand still wins.
   const Json plain = json_of({"inter", year("2015"), year("2019"), "--method", "treeloc++"});
   const Json few = json_of({"inter", year("2015"), year("2019"), "--method", "treeloc++", "--set", "triangles.neighbours=4"});
   EXPECT_NE(plain["recall_at_1"], few["recall_at_1"]);

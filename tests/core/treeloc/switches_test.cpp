@@ -10,6 +10,7 @@
 #include "core/treeloc/prepare_scene.hpp"
 #include "core/treeloc/reject_outliers.hpp"
 #include "core/treeloc/retrieve_scenes.hpp"
+#include "core/treeloc/tree_distribution_histogram.hpp"
 
 namespace stemwise::treeloc {
 namespace {
@@ -140,6 +141,18 @@ TEST(Switch, PrecedingFramesLendTheirTreesUnlessSwitchedOff) {
   EXPECT_GT(borrowed(), 5);
   settings.preceding_frames = 0;
   EXPECT_EQ(borrowed(), 0);
+}
+
+TEST(Switch, OverlappingHistogramBinsCountATreeOnceOrTwice) {
+  const Scene scene = scene_of({{5.5, 0, 0}}, 0.12);  // in two widened bins of distance and two of diameter
+  const auto total = [&](bool once) {
+    TdhSettings settings;
+    settings.count_once = once;
+    double sum = 0.0;
+    for (const float v : tree_distribution_histogram(scene, settings)) sum += v;
+    return sum;
+  };
+  EXPECT_GT(total(false), 2.0 * total(true));
 }
 
 /// Evaluates a small world with one setting changed.
