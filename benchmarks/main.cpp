@@ -1,6 +1,6 @@
-#include <benchmark/benchmark.h>
-
 #include <cstring>
+
+#include <benchmark/benchmark.h>
 
 namespace stemwise::benchmarks {
 void add_stages();

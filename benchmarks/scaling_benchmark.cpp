@@ -1,10 +1,10 @@
 /// How the time of a query grows with the database: 1,000 to 100,000 synthetic scenes of one walk, the same queries.
-#include <benchmark/benchmark.h>
-
 #include <memory>
 #include <vector>
 
 #include "benchmarks/sequences.hpp"
+#include <benchmark/benchmark.h>
+
 #include "core/treeloc/localizer.hpp"
 #include "core/treeloc/prepare_scene.hpp"
 
@@ -47,8 +47,8 @@ void query_among(benchmark::State& state, Scaling& data) {
   state.counters["retrieve_ms"] = 1e3 * retrieve_s / done;
   state.counters["verify_ms"] = 1e3 * verify_s / done;
   state.counters["recall_at_1"] = right / done;
-  state.counters["per_query"] = benchmark::Counter(
-      static_cast<double>(query_count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_query"] = benchmark::Counter(static_cast<double>(query_count),
+                                                   benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace

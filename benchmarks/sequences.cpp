@@ -36,7 +36,9 @@ FrameSet walk(const std::vector<Stem>& stems, std::uint64_t seed, std::size_t fr
 
 }  // namespace
 
-FrameSet synthetic_frames(std::size_t frames, std::uint64_t seed, std::size_t most) { return walk(stand_for(frames), seed, most); }
+FrameSet synthetic_frames(std::size_t frames, std::uint64_t seed, std::size_t most) {
+  return walk(stand_for(frames), seed, most);
+}
 
 Sequences load_sequences() {
   const char* set = std::getenv("STEMWISE_SHARED_DATA");

@@ -16,8 +16,8 @@ struct Sequences {
 /// venman-03 (queries) and venman-04 (map) from $STEMWISE_SHARED_DATA, else a synthetic pair of about their size.
 Sequences load_sequences();
 
-/// The first `most` frames of a walk through a synthetic stand that has room for `frames`. `seed` is that of the sensor's noise: the
-/// stand is the same.
+/// The first `most` frames of a walk through a synthetic stand that has room for `frames`. `seed` is that of the sensor's noise:
+/// the stand is the same.
 FrameSet synthetic_frames(std::size_t frames, std::uint64_t seed, std::size_t most);
 
 }  // namespace stemwise::benchmarks

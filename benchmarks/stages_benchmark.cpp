@@ -1,11 +1,11 @@
 /// One benchmark per stage of localising, one thread, and one for the whole query. CPU time is what counts.
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <chrono>
 #include <memory>
 
 #include "benchmarks/sequences.hpp"
+#include <benchmark/benchmark.h>
+
 #include "core/treeloc/localizer.hpp"
 #include "core/treeloc/prepare_scene.hpp"
 #include "core/treeloc/refine_pose.hpp"
@@ -19,7 +19,8 @@ using namespace treeloc;
 
 /// Everything that several stages need, made once.
 struct Bench {
-  explicit Bench(Sequences given) : sequences(std::move(given)), settings(settings_for(Method::stemwise, "auto")), index(settings.triangles) {
+  explicit Bench(Sequences given)
+      : sequences(std::move(given)), settings(settings_for(Method::stemwise, "auto")), index(settings.triangles) {
     queries = prepare_frame_scenes(sequences.query, settings.scene, settings.axes, 1);
     map = prepare_frame_scenes(sequences.map, settings.scene, settings.axes, 1);
     index.add(map, 1);
@@ -158,8 +159,9 @@ void add_stages() {
   const std::shared_ptr<Localizer> localizer = make_localizer(bench->settings);
   localizer->add(bench->map, 1);
   const auto add = [&](const char* name, auto stage) {
-    benchmark::RegisterBenchmark(name, [bench, stage](benchmark::State& state) { stage(state, *bench); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(name, [bench, stage](benchmark::State& state) {
+      stage(state, *bench);
+    })->Unit(benchmark::kMillisecond);
   };
   if (!bench->sequences.query_folder.empty()) add("read", read);
   add("prepare", prepare);
@@ -168,8 +170,9 @@ void add_stages() {
   add("retrieve", retrieve);
   add("verify", verify);
   add("pose", pose);
-  benchmark::RegisterBenchmark("query", [bench, localizer](benchmark::State& state) { query(state, *bench, *localizer); })
-      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("query", [bench, localizer](benchmark::State& state) {
+    query(state, *bench, *localizer);
+  })->Unit(benchmark::kMillisecond);
   if (!bench->sequences.query_folder.empty()) add("macro", macro);
 }
 

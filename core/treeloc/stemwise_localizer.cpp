@@ -20,13 +20,15 @@ public:
       const Eigen::Vector3d& at = scenes[s].survey_from_scene.translation_m;
       by_x_.push_back({at.x(), at.y(), static_cast<std::uint32_t>(s)});
     }
-    std::sort(by_x_.begin(), by_x_.end(), [](const Place& a, const Place& b) { return std::tie(a.x, a.scene) < std::tie(b.x, b.scene); });
+    std::sort(by_x_.begin(), by_x_.end(),
+              [](const Place& a, const Place& b) { return std::tie(a.x, a.scene) < std::tie(b.x, b.scene); });
   }
   /// Calls take(squared planar distance, scene) for the scenes nearer than `radius_m`.
   template <class Take>
   void each_near(const Eigen::Vector3d& here, double radius_m, Take take) const {
     const auto before = [&](const Place& p) { return p.x < here.x() - radius_m; };
-    for (auto p = std::partition_point(by_x_.begin(), by_x_.end(), before); p != by_x_.end() && p->x <= here.x() + radius_m; ++p) {
+    for (auto p = std::partition_point(by_x_.begin(), by_x_.end(), before); p != by_x_.end() && p->x <= here.x() + radius_m;
+         ++p) {
       const double dx = p->x - here.x(), dy = p->y - here.y();
       if (const double distance_sq = dx * dx + dy * dy; distance_sq < radius_m * radius_m) take(distance_sq, p->scene);
     }

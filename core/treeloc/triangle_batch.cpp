@@ -52,8 +52,8 @@ void TriangleBatch::clear(std::size_t most, const Tree& center) {
   count_ = 0;
   if (within_.size() >= most) return;
   for (auto* column : {&b_x_, &b_y_, &c_x_, &c_y_, &opposite_center_, &opposite_b_, &opposite_c_}) column->resize(most);
-  for (auto* column : {&b_number_, &c_number_, &trees_, &steps_[0], &steps_[1], &steps_[2], &area_, &left_handed_,
-                       &origin_x_cm_, &origin_y_cm_, &yaw_, &within_})
+  for (auto* column : {&b_number_, &c_number_, &trees_, &steps_[0], &steps_[1], &steps_[2], &area_, &left_handed_, &origin_x_cm_,
+                       &origin_y_cm_, &yaw_, &within_})
     column->resize(most);
 }
 

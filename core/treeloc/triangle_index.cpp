@@ -95,7 +95,8 @@ void TriangleIndex::add(std::span<const Scene> scenes, int threads) {
     std::vector<std::span<const Entry>> runs;
     for (const Block& block : blocks)
       runs.emplace_back(block.entries.data() + block.start[p], block.start[p + 1] - block.start[p]);
-    fill_part(segment, std::span<const std::span<const Entry>>(runs), first_key, std::min(key_count_, first_key + per_part), place[p]);
+    fill_part(segment, std::span<const std::span<const Entry>>(runs), first_key, std::min(key_count_, first_key + per_part),
+              place[p]);
   });
   scene_count_ += static_cast<std::uint32_t>(scenes.size());
   segments_.push_back(std::move(segment));

@@ -23,7 +23,8 @@ std::uint64_t below(std::size_t tree, std::size_t word) {
 template <class Take>
 void each(const TreeSet& set, std::size_t words, Take take) {
   for (std::size_t w = 0; w < words; ++w) {
-    for (std::uint64_t left = set[w]; left != 0; left &= left - 1) take(w * 64 + static_cast<std::size_t>(std::countr_zero(left)));
+    for (std::uint64_t left = set[w]; left != 0; left &= left - 1)
+      take(w * 64 + static_cast<std::size_t>(std::countr_zero(left)));
   }
 }
 
@@ -139,7 +140,8 @@ void TriangleMaker::append(const TriangleBatch& batch) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const TriangleBatch::Made made = batch.made(i);
     if (!made.within) continue;
-    out->key = keys_.key(steps(made.steps[0]), steps(made.steps[1]), steps(made.steps[2]), steps(made.area), made.left_handed != 0);
+    out->key =
+        keys_.key(steps(made.steps[0]), steps(made.steps[1]), steps(made.steps[2]), steps(made.area), made.left_handed != 0);
     out->origin = {static_cast<std::int16_t>(made.origin_x_cm), static_cast<std::int16_t>(made.origin_y_cm)};
     out->yaw = static_cast<std::uint8_t>(made.yaw);
     for (int v = 0; v < 3; ++v) {

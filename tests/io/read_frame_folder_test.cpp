@@ -160,11 +160,32 @@ TEST_F(ReadFrameFolder, TakesADateOnlyFromPlausibleTimeStamps) {
 
 /// Rows of all kinds, good and bad, from pieces that a parser may stumble over.
 std::vector<std::string> messy_rows() {
-  const std::vector<std::string> fields = {"0.5",  "-12.345678", "7",    "+3",   "1e-3", "",     " 2 ",  ".5",       "5.",  "-",   ".",
-                                           "nan",  "1.2.3",      "oak",  "True", "false", "Tru", "\t1", "123456789012345678",
-                                           "0.1234567890123456", "-0", "00.25", "\"1\""};
+  const std::vector<std::string> fields = {"0.5",
+                                           "-12.345678",
+                                           "7",
+                                           "+3",
+                                           "1e-3",
+                                           "",
+                                           " 2 ",
+                                           ".5",
+                                           "5.",
+                                           "-",
+                                           ".",
+                                           "nan",
+                                           "1.2.3",
+                                           "oak",
+                                           "True",
+                                           "false",
+                                           "Tru",
+                                           "\t1",
+                                           "123456789012345678",
+                                           "0.1234567890123456",
+                                           "-0",
+                                           "00.25",
+                                           "\"1\""};
   const std::string good = std::string(good_row).substr(0, std::string(good_row).size() - 1);
-  std::vector<std::string> rows = {good, "", "   ", ",", good + ",", good + ",9", good.substr(0, 20), good.substr(0, good.size() - 2)};
+  std::vector<std::string> rows = {
+      good, "", "   ", ",", good + ",", good + ",9", good.substr(0, 20), good.substr(0, good.size() - 2)};
   for (int column = 0; column < 17; ++column) {
     for (const std::string& field : fields) {
       std::string row;

@@ -41,7 +41,7 @@ TEST(NearOrigins, AreThoseWithinTheRadiusAlsoAtTheEdgeAndFarApart) {
     const TriangleOrigin at{any(), any()};
     TriangleOrigin origins[near_origins_lanes];
     for (auto& o : origins) o = {any(), any()};
-    origins[trial % 8] = {static_cast<std::int16_t>(std::clamp(at.x_cm + radius, -32000, 32000)), at.y_cm};      // on the edge
+    origins[trial % 8] = {static_cast<std::int16_t>(std::clamp(at.x_cm + radius, -32000, 32000)), at.y_cm};  // on the edge
     origins[(trial + 3) % 8] = {at.x_cm, static_cast<std::int16_t>(std::clamp(at.y_cm + radius + 1, -32000, 32000))};
     unsigned expected = 0;
     for (unsigned i = 0; i < near_origins_lanes; ++i) {
@@ -58,7 +58,8 @@ TEST(NearOrigins, AreThoseWithinTheRadiusAlsoAtTheEdgeAndFarApart) {
 std::set<std::array<std::size_t, 3>> triples_of(const Scene& scene, std::size_t neighbours) {
   std::set<std::array<std::size_t, 3>> triples;
   const auto distance = [&](std::size_t a, std::size_t b) {
-    const Eigen::Vector2f d = scene.trees[a].position_m.head<2>().cast<float>() - scene.trees[b].position_m.head<2>().cast<float>();
+    const Eigen::Vector2f d =
+        scene.trees[a].position_m.head<2>().cast<float>() - scene.trees[b].position_m.head<2>().cast<float>();
     return std::sqrt(d.x() * d.x() + d.y() * d.y());
   };
   for (std::size_t i = 0; i < scene.trees.size(); ++i) {
@@ -113,8 +114,8 @@ TEST(TriangleMaker, OriginYawAndKeyFollowFromTheCorners) {
     EXPECT_NEAR(t.origin.x_cm, origin.x() * 100.0, 0.6);
     EXPECT_NEAR(t.origin.y_cm, origin.y() * 100.0, 0.6);
     const auto steps = [&](int a, int b) {
-      const Eigen::Vector2f d = scene.trees[t.tree[a]].position_m.head<2>().cast<float>() -
-                                scene.trees[t.tree[b]].position_m.head<2>().cast<float>();
+      const Eigen::Vector2f d =
+          scene.trees[t.tree[a]].position_m.head<2>().cast<float>() - scene.trees[t.tree[b]].position_m.head<2>().cast<float>();
       return static_cast<std::uint32_t>(std::sqrt(d.x() * d.x() + d.y() * d.y()) * (1.0F / 0.15F));
     };
     const double twice_area = longest.x() * (corner[2] - corner[0]).y() - longest.y() * (corner[2] - corner[0]).x();
