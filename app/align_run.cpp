@@ -70,6 +70,7 @@ void add_crs_priors(const ProjectState& state, const SurveyAlignment& tried, Ali
     const Inventory& inventory = *state.find(a.inventory);
     AlignHints::RoughPose prior;
     prior.inventory = a.inventory;
+    prior.same_stand = true;
     for (const Stem& stem : inventory.stems) prior.about_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(inventory.stems.size());
     hints.rough_poses.push_back(prior);
   }

@@ -212,7 +212,7 @@ bool in_order(const IndexedList& a, const IndexedList& b) {
 
 /// The window as seen from the other list.
 PoseWindow swapped(const PoseWindow& w) {
-  return {w.b_from_a.inverse(), w.b_from_a * w.about_m, w.radius_m, w.yaw_radius_rad};
+  return {w.b_from_a.inverse(), w.b_from_a * w.about_m, w.radius_m, w.yaw_radius_rad, w.same_stand};
 }
 
 ListHints swapped(const ListHints& hints) {
@@ -268,6 +268,15 @@ void fill_acceptance(ListAlignment& result, const Search& search, double mirror,
   if (search.best.size() > 1) result.second_best = search.best[1].fit.b_from_a;
 }
 
+/// Where it is known that both lists are of one stand, near one pose, the rivals are the window's other poses alone: odds of 150
+/// to one against chance there, and against the second best, make a pose probable that could not prove itself.
+Verdict accept_within(const Acceptance& a, const PoseWindow& window, Verdict verdict) {
+  constexpr double log_odds = 5.0;
+  if (!window.same_stand || verdict.status != AlignmentStatus::failed) return verdict;
+  if (a.log_likelihood_ratio - a.log_poses_tried < log_odds || a.log_likelihood_ratio - a.second_best < log_odds) return verdict;
+  return {AlignmentStatus::probable, "too few stems to prove itself; the best of the poses that the common coordinate system allows"};
+}
+
 /// In node coordinates, the smaller list first.
 ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings, int threads, const Progress& progress) {
   SearchPlan plan{query_scenes(a, settings), dbh_bank(hints.years, a.any_dbh && b.any_dbh), 0.0};
@@ -286,7 +295,8 @@ ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const Li
   const std::size_t mirror_scenes = settled ? scenes : std::max(scenes, mirror_scenes_at_least);
   const double mirror = mirror_score(a, b, plan, mirror_scenes, settings, search.vote, progress.stage(0.6, 1.0));
   fill_acceptance(result, search, mirror, plan.log_poses);
-  const Verdict verdict = accept_pose(result.acceptance, settings);
+  Verdict verdict = accept_pose(result.acceptance, settings);
+  if (hints.rough_pose) verdict = accept_within(result.acceptance, *hints.rough_pose, std::move(verdict));
   result.status = verdict.status;
   result.reason = verdict.reason;
   return result;

@@ -13,6 +13,7 @@ struct PoseWindow {
   Eigen::Vector2d about_m = Eigen::Vector2d::Zero();  ///< the point of a whose image is known to within radius_m
   double radius_m = 10.0;
   double yaw_radius_rad = 0.35;
+  bool same_stand = false;  ///< known beforehand (one coordinate system): only which pose of the window is asked
 };
 
 /// A cell of the vote that stands out against chance.
