@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/survey/stand_change.hpp"
+#include "core/survey/stand_growth.hpp"
+
 namespace stemwise {
 namespace {
 
@@ -75,6 +78,26 @@ ordered_json growth_json(const ProjectState& state, const GrowthRow& row) {
           {"dbh_error_cm", cm(row.dbh_error_m)}};
 }
 
+ordered_json interval_json(const Estimate& estimate) { return {{"value", cm(estimate.value)}, {"ci95", {cm(estimate.ci95[0]), cm(estimate.ci95[1])}}}; }
+
+/// What the contract's row does not have: the mean, which measurement error does not move, and what one tree can show.
+void add_stand_growth(const StandGrowth& row, ordered_json& json) {
+  json["mean_dbh_change_cm"] = interval_json(row.mean_m);
+  json["mean_dbh_change_cm_per_year"] = row.years ? interval_json(row.mean_m_per_year) : ordered_json();
+  json["robust_dbh_change_cm"] = interval_json(row.robust_m);
+  json["detection_limit_cm"] = cm(row.detection_limit_m);
+}
+
+ordered_json change_json(const ProjectState& state, const StandChange& change) {
+  ordered_json json{{"from", name_of(state, change.from)}, {"to", name_of(state, change.to)}, {"without_dbh", change.without_dbh}};
+  json["shared_area_ha"] = change.area_ha ? ordered_json(*change.area_ha) : ordered_json();
+  for (std::size_t i = 0; i < component_count; ++i) {
+    const ComponentSum& sum = change.all[i];
+    json["components"][to_string(static_cast<Component>(i))] = {{"stems", sum.stems}, {"earlier_m2", sum.earlier_sq_m}, {"later_m2", sum.later_sq_m}};
+  }
+  return json;
+}
+
 ordered_json timing_json(const AlignTiming& t) {
   return {{"read", t.read_s}, {"describe", t.describe_s}, {"retrieve", t.retrieve_s}, {"verify", t.verify_s},
           {"optimise", t.optimise_s}, {"match", t.match_s}, {"total", t.total_s}};
@@ -107,6 +130,10 @@ std::string align_json(const ProjectState& state, const Tables& tables, const Al
   json["trees"] = trees_json(tables);
   json["growth"] = ordered_json::array();
   for (const GrowthRow& row : tables.growth) json["growth"].push_back(growth_json(state, row));
+  const std::vector<StandGrowth> growth = stand_growth(state, tables, {.seed = seed});
+  for (std::size_t i = 0; i < std::min(growth.size(), tables.growth.size()); ++i) add_stand_growth(growth[i], json["growth"][i]);
+  json["change"] = ordered_json::array();
+  for (const StandChange& change : stand_changes(state, tables)) json["change"].push_back(change_json(state, change));
   json["timing_s"] = timing_json(timing);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double presence_per_miss = 0.5;  // a tree missed by a survey is half as likely to be in the next
 constexpr int noise_rounds = 2;
+constexpr int least_pairs_to_learn = 30;
+constexpr double greatest_agreement = 0.98;  // two percent of all labels are wrong somewhere
 
 using Partners = std::map<StemRef, std::vector<StemRef>>;
 
@@ -25,7 +27,9 @@ Partners partners_of(const std::vector<AlignHints::SameTree>& pairs) {
 class Association {
  public:
   Association(std::span<const PlacedSurvey> surveys, const AlignHints& hints, double noise_floor_m)
-      : surveys_(surveys), must_(partners_of(hints.same_tree)), must_not_(partners_of(hints.not_same)), noise_floor_m_(noise_floor_m), growth_cm_(surveys.size(), 0.0) {}
+      : surveys_(surveys), must_(partners_of(hints.same_tree)), must_not_(partners_of(hints.not_same)), noise_floor_m_(noise_floor_m), growth_cm_(surveys.size(), 0.0) {
+    number_species();
+  }
 
   std::vector<SightedTree> run(const Progress& progress) {
     const std::size_t count = surveys_.size();
@@ -46,6 +50,27 @@ class Association {
   StemRef ref(std::size_t survey, std::size_t node) const {
     return {surveys_[survey].inventory->id, static_cast<std::int64_t>(surveys_[survey].stem_of[node])};
   }
+  void number_species() {
+    std::map<std::string, int> number_of;
+    for (const PlacedSurvey& survey : surveys_) {
+      std::vector<int>& numbers = species_.emplace_back();
+      for (const std::size_t stem : survey.stem_of) {
+        std::string name = survey.inventory->stems[stem].species;
+        for (char& c : name)
+          if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        numbers.push_back(name.empty() ? -1 : number_of.try_emplace(name, static_cast<int>(number_of.size())).first->second);
+      }
+    }
+  }
+
+  /// The species that the tree's latest sighting with one gives it.
+  int species_of(const SightedTree& tree) const {
+    int species = -1;
+    for (const StemSighting& s : tree)
+      if (species_[s.survey][s.node] >= 0) species = species_[s.survey][s.node];
+    return species;
+  }
+
   const Eigen::Vector2d& place(const StemSighting& s) const { return surveys_[s.survey].list.nodes.at_m[s.node]; }
   double dbh_cm(const StemSighting& s) const { return surveys_[s.survey].list.nodes.dbh_cm[s.node]; }
 
@@ -154,6 +179,48 @@ class Association {
     fit.noise_m = std::max(noise_floor_m_, std::sqrt(*middle / 1.386));  // median of r^2 is 2 ln 2 sigma^2
   }
 
+  /// The share of sure matches whose DBH nothing but a gross error explains. Where there are hardly any, a small stem in the
+  /// place of a large one is another tree.
+  static double gross_share(const DbhModel& model, const IndexedList& trees, const IndexedList& stems, const std::vector<StemMatch>& matches) {
+    constexpr double beyond_sd = 6.0, least = 0.002, greatest = 0.03;
+    double both = 0.0, gross = 0.0;
+    for (const StemMatch& m : matches) {
+      const double a_cm = trees.nodes.dbh_cm[m.a], b_cm = stems.nodes.dbh_cm[m.b];
+      if (m.confidence <= 0.9 || a_cm <= 0.0 || b_cm <= 0.0) continue;
+      both += 1.0;
+      gross += std::abs(b_cm - a_cm - model.growth_cm) > beyond_sd * dbh_sd_cm(model, a_cm) ? 1.0 : 0.0;
+    }
+    return both < least_pairs_to_learn ? greatest : std::clamp(gross / both, least, greatest);
+  }
+
+  /// How often labels of sure matches agree, against how often any two labels of both lists do. Lists that name species each
+  /// in its own way (codes, languages) agree no more than chance: then nothing is said.
+  void learn_species(SpeciesEvidence& evidence, const std::vector<StemMatch>& matches) const {
+    double both = 0.0, agree = 0.0;
+    for (const StemMatch& m : matches) {
+      if (m.confidence <= 0.9 || evidence.of_a[m.a] < 0 || evidence.of_b[m.b] < 0) continue;
+      both += 1.0;
+      agree += evidence.of_a[m.a] == evidence.of_b[m.b] ? 1.0 : 0.0;
+    }
+    evidence.same = evidence.other = 0.0;
+    if (both < least_pairs_to_learn) return;
+    const double chance = std::clamp(chance_agreement(evidence), 0.01, 0.99), share = std::min(greatest_agreement, agree / both);
+    if (share <= chance + 0.1) return;
+    evidence.same = std::log(share / chance);
+    evidence.other = std::log((1.0 - share) / (1.0 - chance));
+  }
+
+  static double chance_agreement(const SpeciesEvidence& evidence) {
+    std::map<int, std::pair<double, double>> counts;
+    double all_a = 0.0, all_b = 0.0, same = 0.0;
+    for (const int s : evidence.of_a)
+      if (s >= 0) counts[s].first += 1.0, all_a += 1.0;
+    for (const int s : evidence.of_b)
+      if (s >= 0) counts[s].second += 1.0, all_b += 1.0;
+    for (const auto& [species, count] : counts) same += count.first * count.second;
+    return same / std::max(1.0, all_a * all_b);
+  }
+
   void join(std::size_t k) {
     merge_linked(k);
     const IndexedList trees = tree_list(k);
@@ -164,13 +231,19 @@ class Association {
     PoseFit fit{{}, surveys_[k].noise_m, {true, 0.0, 1.0}, 0.0};
     std::vector<StemMatch> matches;
     const MatchConstraints fixed = constraints(k);
+    MatchPriors priors;
+    priors.species.of_b = species_[k];
+    for (const SightedTree& tree : trees_) priors.species.of_a.push_back(species_of(tree));
     for (int round = 0; round <= noise_rounds; ++round) {
       fit.dbh = refit_dbh(trees, all, stems, fit);
+      if (round > 0) fit.dbh.gross = gross_share(fit.dbh, trees, stems, matches);
       const PoseScore score = score_pose(trees, stems, fit, nullptr);
-      std::vector<double> presence;
-      for (std::size_t t = 0; t < trees_.size(); ++t) presence.push_back(score.share_b * presence_factor(trees_[t], trees.nodes.at_m[t], k));
-      matches = match_stems(trees, stems, fit, score.share_a, score.share_b, presence, fixed);
+      priors.share_a = score.share_a, priors.share_b = score.share_b;
+      priors.presence_a.clear();
+      for (std::size_t t = 0; t < trees_.size(); ++t) priors.presence_a.push_back(score.share_b * presence_factor(trees_[t], trees.nodes.at_m[t], k));
+      matches = match_stems(trees, stems, fit, priors, fixed);
       refit(fit, trees, stems, matches);
+      learn_species(priors.species, matches);
     }
     if (joined_[k] == 0) grow_by(k, fit.dbh.growth_cm);
     joined_[k] = 1;
@@ -222,6 +295,7 @@ class Association {
   double noise_floor_m_;
   std::vector<double> growth_cm_;  ///< of the stand since the first survey
   std::vector<std::uint8_t> joined_ = std::vector<std::uint8_t>(surveys_.size(), 0);
+  std::vector<std::vector<int>> species_;  ///< per survey and node, as numbers; -1: not known
   std::vector<SightedTree> trees_;
 };
 

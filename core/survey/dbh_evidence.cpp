@@ -51,7 +51,7 @@ double dbh_evidence(const DbhModel& model, double dbh_a_cm, double dbh_b_cm, dou
   if (!model.used || dbh_a_cm <= 0.0 || dbh_b_cm <= 0.0) return 1.0;
   const double sd_cm = dbh_sd_cm(model, dbh_a_cm);
   const double off_cm = dbh_b_cm - dbh_a_cm - model.growth_cm;
-  return (0.85 * normal_density(off_cm, sd_cm) + 0.12 * normal_density(off_cm, 3.0 * sd_cm)) / density_b + 0.03;
+  return (0.85 * normal_density(off_cm, sd_cm) + 0.12 * normal_density(off_cm, 3.0 * sd_cm)) / density_b + model.gross;
 }
 
 std::vector<DbhModel> dbh_bank(std::optional<double> years, bool any_dbh) {

@@ -21,11 +21,12 @@ class DbhDensity {
 };
 
 /// What one list's DBH says about the other's, cm: d_b - d_a is about `growth_cm`, give or take `scale` times
-/// sqrt(3^2 + (0.1 d_a)^2). Not `used`: positions only.
+/// sqrt(3^2 + (0.1 d_a)^2); `gross` of them are misread and may be anything. Not `used`: positions only.
 struct DbhModel {
   bool used = true;
   double growth_cm = 0.0;
   double scale = 1.0;
+  double gross = 0.03;
   bool operator==(const DbhModel&) const = default;
 };
 

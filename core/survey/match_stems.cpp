@@ -17,8 +17,7 @@ struct Problem {
   std::vector<std::vector<std::size_t>> of_a, of_b;  ///< edges at each stem
 };
 
-Problem edges_between(const IndexedList& a, const IndexedList& b, const PoseFit& fit, double share_a, double share_b, const std::vector<double>& presence_a,
-                      const MatchConstraints& constraints) {
+Problem edges_between(const IndexedList& a, const IndexedList& b, const PoseFit& fit, const MatchPriors& priors, const MatchConstraints& constraints) {
   const PairEvidence evidence(a, b, fit);
   const PlanarMap map(fit.b_from_a);
   const double gate_m = std::clamp(gate_in_sigmas * fit.noise_m, narrowest_gate_m, widest_gate_m);
@@ -28,11 +27,11 @@ Problem edges_between(const IndexedList& a, const IndexedList& b, const PoseFit&
   Problem problem{{}, std::vector<std::vector<std::size_t>>(a.size()), std::vector<std::vector<std::size_t>>(b.size())};
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (fixed_a.contains(i)) continue;
-    const double there = std::clamp(presence_a.empty() ? share_b : presence_a[i], 0.01, 0.99);
-    const double joined = 0.5 * std::log(share_a * there) - std::log(1.0 - share_a) - std::log(1.0 - there);
+    const double there = std::clamp(priors.presence_a.empty() ? priors.share_b : priors.presence_a[i], 0.01, 0.99);
+    const double joined = 0.5 * std::log(priors.share_a * there) - std::log(1.0 - priors.share_a) - std::log(1.0 - there);
     b.index.within(map(a.nodes.at_m[i].x(), a.nodes.at_m[i].y()), gate_m, [&](std::size_t j, double d_sq) {
       if (fixed_b.contains(j) || forbidden.contains({i, j})) return;
-      const double gain = evidence.log_ratio(i, j, d_sq) + joined;
+      const double gain = evidence.log_ratio(i, j, d_sq) + joined + priors.species.log_ratio(i, j);
       if (gain <= -3.0) return;  // not even a second choice
       problem.of_a[i].push_back(problem.edges.size());
       problem.of_b[j].push_back(problem.edges.size());
@@ -62,9 +61,8 @@ void weigh(StemMatch& match, std::size_t edge, const Problem& problem, const std
 
 }  // namespace
 
-std::vector<StemMatch> match_stems(const IndexedList& a, const IndexedList& b, const PoseFit& fit, double share_a, double share_b, const std::vector<double>& presence_a,
-                                   const MatchConstraints& constraints) {
-  const Problem problem = edges_between(a, b, fit, share_a, share_b, presence_a, constraints);
+std::vector<StemMatch> match_stems(const IndexedList& a, const IndexedList& b, const PoseFit& fit, const MatchPriors& priors, const MatchConstraints& constraints) {
+  const Problem problem = edges_between(a, b, fit, priors, constraints);
   const auto chosen = assign_sparse(a.size(), b.size(), problem.edges);
   std::vector<double> held_a(a.size(), 0.0), held_b(b.size(), 0.0);
   for (const std::size_t k : chosen) held_a[problem.edges[k].left] = held_b[problem.edges[k].right] = problem.edges[k].gain;

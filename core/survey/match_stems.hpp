@@ -14,6 +14,24 @@ struct MatchConstraints {
   std::vector<std::pair<std::size_t, std::size_t>> must_not;
 };
 
+/// What species say: with labels that agree as often as those of sure matches do, beyond what chance agrees. Labels are
+/// numbers; negative: not known, which says nothing.
+struct SpeciesEvidence {
+  std::vector<int> of_a, of_b;       ///< per stem; both empty: species are not compared
+  double same = 0.0, other = 0.0;    ///< ln of how much likelier the labels are for one tree than for two
+  double log_ratio(std::size_t a, std::size_t b) const {
+    if (of_a.empty() || of_b.empty() || of_a[a] < 0 || of_b[b] < 0) return 0.0;
+    return of_a[a] == of_b[b] ? same : other;
+  }
+};
+
+/// What is expected before two stems are compared.
+struct MatchPriors {
+  double share_a = 0.5, share_b = 0.5;  ///< chance of a stem of b to be in a, and of one of a to be in b
+  std::vector<double> presence_a;       ///< each stem of a's own chance to be in b, where not empty (a tree not seen for long has less)
+  SpeciesEvidence species;
+};
+
 /// Two stems held to be one, by index.
 struct StemMatch {
   std::size_t a = 0;
@@ -26,9 +44,7 @@ struct StemMatch {
 };
 
 /// Step 8 of stem-lists.md: the sparse one-to-one assignment that maximises the sum of l over pairs plus ln(1 - pA) or
-/// ln(1 - pB) for every stem left alone; globally optimal. `presence_a`, where not empty, is each stem of a's own chance to
-/// be in b (a tree not seen for long has less). Stems without DBH are matched by position alone.
-std::vector<StemMatch> match_stems(const IndexedList& a, const IndexedList& b, const PoseFit& fit, double share_a, double share_b, const std::vector<double>& presence_a,
-                                   const MatchConstraints& constraints);
+/// ln(1 - pB) for every stem left alone; globally optimal. Stems without DBH are matched by position alone.
+std::vector<StemMatch> match_stems(const IndexedList& a, const IndexedList& b, const PoseFit& fit, const MatchPriors& priors, const MatchConstraints& constraints);
 
 }  // namespace stemwise
