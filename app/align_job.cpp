@@ -12,6 +12,23 @@ void add_decisions(const ProjectState& state, AlignHints& hints) {
   }
 }
 
+AlignBase base_of(const ProjectState& state) {
+  AlignBase base;
+  for (const auto& [id, alignment] : state.alignments)
+    if (state.is_placed(id)) base.poses.push_back(alignment);
+  for (const auto& [id, tree] : state.trees) base.trees.push_back(tree.stems);
+  return base;
+}
+
+/// What the base had, put back in front of what was found.
+void keep_base(const ProjectState& state, SurveyAlignment& result) {
+  std::vector<PairReport> pairs = state.pairs;
+  pairs.insert(pairs.end(), result.pairs.begin(), result.pairs.end());
+  result.pairs = std::move(pairs);
+  for (const auto& [key, match] : state.matches)
+    if (match.state == MatchState::automatic && state.is_placed(match.a.inventory) && state.is_placed(match.b.inventory)) result.matches.push_back(match);
+}
+
 }  // namespace
 
 AlignOutcome align_project(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress) {
@@ -24,6 +41,14 @@ AlignOutcome align_project(const ProjectState& state, const AlignSettings& setti
     progress.check();
     outcome.coverages.emplace_back(inventory->id, estimate_coverage(*inventory));
   }
+  return outcome;
+}
+
+AlignOutcome align_added(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress) {
+  hints.base = base_of(state);
+  AlignOutcome outcome = align_project(state, settings, std::move(hints), progress);
+  keep_base(state, outcome.alignment);
+  std::erase_if(outcome.coverages, [&](const auto& entry) { return state.coverages.contains(entry.first); });
   return outcome;
 }
 

@@ -17,4 +17,8 @@ struct AlignOutcome {
 /// added to `hints`: linked and accepted matches must join, rejected ones must not. Throws Cancelled.
 AlignOutcome align_project(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress);
 
+/// The same for inventories that were added to an aligned project: what is aligned stays exactly as it is (poses, matches,
+/// trees), only the others are aligned and matched to it. Removing them again gives back what was there before.
+AlignOutcome align_added(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress);
+
 }  // namespace stemwise

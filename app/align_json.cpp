@@ -88,13 +88,22 @@ void add_stand_growth(const StandGrowth& row, ordered_json& json) {
   json["detection_limit_cm"] = cm(row.detection_limit_m);
 }
 
+ordered_json components_json(const ComponentTable& table, bool all) {
+  ordered_json json = ordered_json::object();
+  for (std::size_t i = 0; i < component_count; ++i) {
+    const ComponentSum& sum = table[i];
+    if (all || sum.stems > 0) json[to_string(static_cast<Component>(i))] = {{"stems", sum.stems}, {"earlier_m2", sum.earlier_sq_m}, {"later_m2", sum.later_sq_m}};
+  }
+  return json;
+}
+
 ordered_json change_json(const ProjectState& state, const StandChange& change) {
   ordered_json json{{"from", name_of(state, change.from)}, {"to", name_of(state, change.to)}, {"without_dbh", change.without_dbh}};
   json["shared_area_ha"] = change.area_ha ? ordered_json(*change.area_ha) : ordered_json();
-  for (std::size_t i = 0; i < component_count; ++i) {
-    const ComponentSum& sum = change.all[i];
-    json["components"][to_string(static_cast<Component>(i))] = {{"stems", sum.stems}, {"earlier_m2", sum.earlier_sq_m}, {"later_m2", sum.later_sq_m}};
-  }
+  json["components"] = components_json(change.all, true);
+  json["classes"] = ordered_json::array();
+  for (const ClassChange& row : change.by_class)
+    json["classes"].push_back({{"low_cm", row.low_cm}, {"high_cm", row.high_cm}, {"components", components_json(row.table, false)}});
   return json;
 }
 

@@ -8,7 +8,9 @@
 #include "app/hint_file.hpp"
 #include "app/load_inventories.hpp"
 #include "core/project/commands.hpp"
+#include "core/survey/register_trajectories.hpp"
 #include "io/crs.hpp"
+#include "io/project_file.hpp"
 
 namespace stemwise {
 namespace {
@@ -84,6 +86,22 @@ Georeference georeference_of_crs(int epsg) {
   return georeference;
 }
 
+/// A project as the first input is the base that the others are added to: opened, and taken off the list.
+ExitCode open_base(const AlignOptions& options, std::vector<std::string>& paths, AlignRun& run, Console& console) {
+  if (paths.empty() || !is_project(paths.front())) return ExitCode::done;
+  Result<ProjectState> read = read_project(paths.front());
+  console.issues(read.issues);
+  if (!read) return ExitCode::unusable_input;
+  const Inventory* reference = read->find(read->reference);
+  if (!options.reference.empty() && reference != nullptr && reference->name != options.reference) {
+    console.error("--reference " + options.reference + ": the project " + paths.front() + " has the reference " + reference->name + ", and what is added is aligned to it");
+    return ExitCode::usage;
+  }
+  run.project = Project(std::move(*read));
+  paths.erase(paths.begin());
+  return ExitCode::done;
+}
+
 AlignRun ended(ExitCode code, std::string problem = "") {
   AlignRun run;
   run.code = code;
@@ -96,26 +114,36 @@ AlignRun ended(ExitCode code, std::string problem = "") {
 AlignRun run_alignment(const AlignOptions& options, Session& session) {
   const Clock::time_point start = Clock::now();
   AlignRun run;
+  std::vector<std::string> paths = options.inventories;
+  if (const ExitCode code = open_base(options, paths, run, session.console); code != ExitCode::done) return ended(code);
+  const bool based = !run.project.state().alignments.empty(), added = !paths.empty();
   AlignSettings settings = settings_of(options, session);
-  if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return ended(code);
+  RegisterSettings registering;
+  Fields fields = settings.fields();
+  for (const Field& field : registering.fields()) fields.push_back(field);
+  if (const ExitCode code = session.apply_settings(fields); code != ExitCode::done) return ended(code);
+  registering.scenes = settings.scenes;
+  registering.lists = settings.lists;
   ExitCode usage = ExitCode::done;
   const std::optional<int> epsg = crs_of(options, session.console, usage);
   if (usage != ExitCode::done) return ended(usage);
   const Progress progress = session.progress();
-  LoadedInventories loaded = load_inventories(options.inventories, options.read, session, progress.stage(0.0, 0.3));
+  LoadedInventories loaded = load_inventories(paths, options.read, session, progress.stage(0.0, 0.3));
   if (loaded.code != ExitCode::done) return ended(loaded.code, loaded.problem);
   const double read_s = seconds_since(start);
+  loaded.inventories = with_registered_trajectories(std::move(loaded.inventories), registering, settings.threads, progress.stage(0.3, 0.4));
   if (const ExitCode code = add_all(std::move(loaded.inventories), options, run.project, session.console); code != ExitCode::done) return ended(code);
   remember_settings(session, run.project);
   AlignHints hints;
   if (const ExitCode code = read_hints(options, run.project, session.console, hints); code != ExitCode::done) return ended(code);
 
   const ProjectState& state = run.project.state();
-  AlignOutcome outcome = align_project(state, settings, hints, progress.stage(0.3, epsg ? 0.6 : 0.95));
+  const auto work = based && added ? align_added : align_project;
+  AlignOutcome outcome = work(state, settings, hints, progress.stage(0.4, epsg ? 0.65 : 0.95));
   if (epsg) {
     const std::size_t given = hints.rough_poses.size();
     add_crs_priors(state, outcome.alignment, hints);
-    if (hints.rough_poses.size() > given) outcome = align_project(state, settings, hints, progress.stage(0.6, 0.95));
+    if (hints.rough_poses.size() > given) outcome = work(state, settings, hints, progress.stage(0.65, 0.95));
     run.project.execute(set_georeference(georeference_of_crs(*epsg)));
   }
   run.timing = outcome.alignment.timing;

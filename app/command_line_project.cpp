@@ -108,6 +108,7 @@ void add_simulate_options(CLI::App& command, SimulateOptions& options) {
   command.add_option("--false", s.false_stems, "Share of stems added that are none (default 0.02)");
   command.add_option("--yaw-deg", s.yaw_deg, "Turn of every survey's frame (default: any)");
   command.add_option("--shift-m", s.shift_m, "How far away a survey's origin may lie (default 300)");
+  command.add_option("--drift", s.drift, "How far the trajectory of frames has drifted at its end, as a share of its length (default 0)");
   command.add_option("--tilt-deg", s.tilt_deg, "How far a survey's vertical is off (default 0)");
   command.add_flag("--grid", s.planted, "A planted stand in rows");
   command.add_flag("--frames", s.frames, "Surveys as frame folders");

@@ -41,7 +41,7 @@ void add_convert(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
 void add_align(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   CLI::App& command = add_command(root, common, "align", "Align inventories of one forest, match their stems, write a project");
   const auto options = std::make_shared<AlignOptions>();
-  command.add_option("INVENTORY", options->inventories, "Two or more inventories: files or frame folders")->required()->expected(2, -1);
+  command.add_option("INVENTORY", options->inventories, "Two or more inventories: files or frame folders; a project first: the others are added to it, and its tree ids stay")->required()->expected(2, -1);
   command.add_option("-o,--output", options->output, "The project to write, PROJECT.gpkg")->required();
   command.add_option("--reference", options->reference, "Name of the inventory whose frame is kept (default: the one with the most trees)");
   command.add_option("--hint", options->hint, "JSON file with pairs of the same trees, or a rough pose");

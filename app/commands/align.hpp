@@ -8,7 +8,7 @@
 namespace stemwise {
 
 struct AlignOptions {
-  std::vector<std::string> inventories;
+  std::vector<std::string> inventories;  ///< a project first: the others are added to it
   std::string output;     ///< PROJECT.gpkg
   std::string reference;  ///< name; empty: the inventory with the most trees
   std::string hint;       ///< JSON file

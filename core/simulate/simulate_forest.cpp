@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simulate/drift.hpp"
 #include "core/simulate/grow_stand.hpp"
 #include "core/simulate/observe_stand.hpp"
 
@@ -37,12 +38,12 @@ std::vector<TrueTree> trees_of(const Inventory& inventory) {
   return trees;
 }
 
-SimulatedSurvey moved_frames(const Inventory& inventory, const RigidTransform& truth_from_survey) {
+SimulatedSurvey moved_frames(const Inventory& inventory, const RigidTransform& truth_from_survey, const SimulateSettings& settings) {
   SimulatedSurvey result{inventory, truth_from_survey};
   const RigidTransform survey_from_truth = truth_from_survey.inverse();
   FrameSet frames = *inventory.frames;
   for (Frame& frame : frames.frames) frame.pose.survey_from_frame = survey_from_truth * frame.pose.survey_from_frame;
-  result.inventory.frames = std::make_shared<const FrameSet>(std::move(frames));
+  result.inventory.frames = std::make_shared<const FrameSet>(with_drift(std::move(frames), settings.drift, settings.seed));
   result.inventory.stems.clear();
   return result;
 }
@@ -78,7 +79,7 @@ SimulatedForest simulate_forest(const SimulateSettings& settings, const Progress
     const RigidTransform truth_from_survey = random_frame(settings, for_frame);
     forest.surveys.push_back(observe_stand(forest.trees, k, dates[k], truth_from_survey, settings, for_view));
     if (settings.frames)
-      forest.surveys.back().inventory.frames = std::make_shared<const FrameSet>(walk_through(forest.trees, k, truth_from_survey, settings, for_walk));
+      forest.surveys.back().inventory.frames = std::make_shared<const FrameSet>(with_drift(walk_through(forest.trees, k, truth_from_survey, settings, for_walk), settings.drift, settings.seed + k));
   }
   return forest;
 }
@@ -94,7 +95,7 @@ SimulatedForest simulate_resurvey(const Inventory& inventory, const SimulateSett
   SimulatedForest forest;
   forest.trees = trees_of(inventory);
   if (inventory.frames) {
-    forest.surveys.push_back(moved_frames(inventory, truth_from_survey));
+    forest.surveys.push_back(moved_frames(inventory, truth_from_survey, settings));
     return forest;
   }
   if (!forest.trees.empty()) {  // turn about the list's own place, so that UTM-sized lists keep their size

@@ -23,6 +23,7 @@ Fields SimulateSettings::fields() {
           {"simulate.false_stems", "", "Share of stems that a survey makes up.", &false_stems},
           {"simulate.shift_m", "m", "How far away a survey's origin may lie.", &shift_m},
           {"simulate.tilt_deg", "deg", "How far a survey's vertical is off.", &tilt_deg},
+          {"simulate.drift", "", "How far a walk's trajectory has drifted at its end, as a share of its length.", &drift},
           {"simulate.heights_and_axes", "", "Whether surveys have base heights and stem axes.", &heights_and_axes}};
 }
 
@@ -36,6 +37,7 @@ Issues SimulateSettings::check() const {
   if (false_stems < 0.0 || false_stems > 10.0) refuse("false_stems", "must be between 0 and 10");
   if (position_noise_m < 0.0 || dbh_noise_cm < 0.0 || shift_m < 0.0) refuse("position_noise_m", "noise and shift must not be negative");
   if (tilt_deg < 0.0 || tilt_deg > 45.0) refuse("tilt_deg", "must be between 0 and 45");
+  if (drift < 0.0 || drift > 0.5) refuse("drift", "must be between 0 and 0.5");
   if (!std::is_sorted(dates.begin(), dates.end())) refuse("years", "must ascend");
   return issues;
 }

@@ -35,6 +35,7 @@ struct SimulateSettings {
   double tilt_deg = 0.0;                 ///< each survey's vertical is off by so much, in any direction
   bool heights_and_axes = true;          ///< false: plain lists without z and axis, like field maps
   bool frames = false;                   ///< also as frames along a walk through the stand
+  double drift = 0.0;                    ///< of the walk's trajectory: its end is off by about this share of its length
   Fields fields();
   Issues check() const;
 };

@@ -127,8 +127,16 @@ class Run {
     report.status = AlignmentStatus::reference;
     report.overlap = 1.0;
     for (const Dof dof : {Dof::x, Dof::y, Dof::yaw, Dof::z, Dof::roll, Dof::pitch}) report.observed.set(dof);
+    fixed_.assign(inventories_.size(), 0);
+    for (std::size_t k = 0; k < inventories_.size(); ++k)
+      for (const InventoryAlignment& pose : hints_.base.poses)
+        if (pose.inventory == inventories_[k]->id) result_.inventories[k] = pose, fixed_[k] = 1;
     partner_.assign(inventories_.size(), reference_);
     result_.timing.describe_s = seconds_since(start);
+  }
+
+  bool is_fixed(InventoryId id) const {
+    return std::any_of(hints_.base.poses.begin(), hints_.base.poses.end(), [&](const InventoryAlignment& pose) { return pose.inventory == id; });
   }
 
   std::optional<double> years(std::size_t from, std::size_t to) const {
@@ -198,7 +206,7 @@ class Run {
     const double all = static_cast<double>(std::max<std::size_t>(1, count - 1));
     double done = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
-      if (k == reference_) continue;
+      if (k == reference_ || fixed_[k] != 0) continue;
       align_pair(k, reference_, progress_of(k, progress.stage(done / all, (done + 1.0) / all)));
       tried.insert({k, reference_});
       done += 1.0;
@@ -285,7 +293,7 @@ class Run {
     for (int round = 0; round < rounds; ++round)
       for (std::size_t s = 0; s < order.size(); ++s) {
         progress.check();
-        if (order[s] != reference_) refit(s, order, surveys, trees, round + 1 == rounds);
+        if (order[s] != reference_ && fixed_[order[s]] == 0) refit(s, order, surveys, trees, round + 1 == rounds);
       }
   }
 
@@ -313,7 +321,9 @@ class Run {
     const auto surveys = placed(order);
     const auto trees = associate_surveys(surveys, hints_, settings_.lists.noise_floor_m, progress);
     result_.matches = consecutive_matches(surveys, trees);
-    for (std::size_t s = 0; s < order.size(); ++s) describe_fit(s, order, surveys, trees);
+    std::erase_if(result_.matches, [&](const Match& m) { return is_fixed(m.a.inventory) && is_fixed(m.b.inventory); });
+    for (std::size_t s = 0; s < order.size(); ++s)
+      if (fixed_[order[s]] == 0) describe_fit(s, order, surveys, trees);
   }
 
   /// Overlap, residual and noise of one survey against the one that it was laid onto.
@@ -353,6 +363,7 @@ class Run {
   const AlignHints& hints_;
   std::size_t reference_ = 0;
   std::vector<Prepared> prepared_;
+  std::vector<std::uint8_t> fixed_;   ///< of the base
   std::vector<std::size_t> partner_;  ///< per inventory: the one that it was laid onto
   SurveyAlignment result_;
 };

@@ -6,6 +6,7 @@
 #include "core/base/field.hpp"
 #include "core/forest/inventory.hpp"
 #include "core/jobs/progress.hpp"
+#include "core/survey/align_base.hpp"
 #include "core/survey/alignment.hpp"
 #include "core/survey/joint_pose.hpp"
 #include "core/survey/level_by_axes.hpp"
@@ -33,6 +34,7 @@ struct AlignHints {
   std::vector<SameTree> same_tree;   ///< linked or accepted: must join
   std::vector<SameTree> not_same;    ///< rejected or unlinked: must not join
   std::vector<RoughPose> rough_poses;
+  AlignBase base;                    ///< surveys are added to this, which does not change
 };
 
 struct AlignSettings {
@@ -50,7 +52,8 @@ struct AlignSettings {
 
 /// Aligns every inventory to the reference and matches their stems (method.md 9, stem-lists.md). No first guess is
 /// needed. `reference` 0: the inventory with the most trees. Never throws for bad data: a refusal is a status with a
-/// reason. Throws Cancelled.
+/// reason. With a base only the others are aligned, to it; the result's matches are then those that join one of them.
+/// Throws Cancelled.
 SurveyAlignment align_surveys(std::span<const Inventory* const> inventories, InventoryId reference, const AlignSettings& settings,
                               const AlignHints& hints, const Progress& progress);
 

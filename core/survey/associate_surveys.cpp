@@ -29,16 +29,19 @@ class Association {
   Association(std::span<const PlacedSurvey> surveys, const AlignHints& hints, double noise_floor_m)
       : surveys_(surveys), must_(partners_of(hints.same_tree)), must_not_(partners_of(hints.not_same)), noise_floor_m_(noise_floor_m), growth_cm_(surveys.size(), 0.0) {
     number_species();
+    start_from(hints.base);
   }
 
   std::vector<SightedTree> run(const Progress& progress) {
     const std::size_t count = surveys_.size();
     const double steps = count > 2 ? 2.0 * static_cast<double>(count) : static_cast<double>(count);
     for (std::size_t k = 0; k < count; ++k) {
+      if (fixed_[k] != 0) continue;
       progress.at(static_cast<double>(k) / steps, "Matching " + surveys_[k].inventory->name);
       join(k);
     }
     for (std::size_t k = 0; count > 2 && k < count; ++k) {
+      if (fixed_[k] != 0) continue;
       progress.at(static_cast<double>(count + k) / steps, "Matching " + surveys_[k].inventory->name + " again");
       take_out(k);
       join(k);
@@ -50,6 +53,41 @@ class Association {
   StemRef ref(std::size_t survey, std::size_t node) const {
     return {surveys_[survey].inventory->id, static_cast<std::int64_t>(surveys_[survey].stem_of[node])};
   }
+  /// Trees of the base, and how the stand grew between its surveys.
+  void start_from(const AlignBase& base) {
+    std::map<InventoryId, std::size_t> survey_of;
+    for (std::size_t k = 0; k < surveys_.size(); ++k)
+      for (const InventoryAlignment& pose : base.poses)
+        if (pose.inventory == surveys_[k].inventory->id) survey_of[pose.inventory] = k, fixed_[k] = joined_[k] = 1;
+    std::map<StemRef, std::size_t> node_of;
+    for (const auto& [id, k] : survey_of)
+      for (std::size_t node = 0; node < surveys_[k].list.size(); ++node) node_of[ref(k, node)] = node;
+    for (const std::vector<StemRef>& stems : base.trees) {
+      SightedTree tree;
+      for (const StemRef& stem : stems)
+        if (const auto found = node_of.find(stem); found != node_of.end()) tree.push_back({survey_of[stem.inventory], found->second, 1.0, false, {}, 0.0});
+      std::sort(tree.begin(), tree.end(), [](const StemSighting& p, const StemSighting& q) { return p.survey < q.survey; });
+      if (!tree.empty()) trees_.push_back(std::move(tree));
+    }
+    learn_growth();
+  }
+
+  /// Of the base: each survey against the one before it, by the median of the trees that both have.
+  void learn_growth() {
+    for (std::size_t k = 1; k < surveys_.size(); ++k) {
+      std::vector<double> change_cm;
+      for (const SightedTree& tree : trees_)
+        for (std::size_t i = 1; i < tree.size(); ++i)
+          if (tree[i].survey == k && dbh_cm(tree[i]) > 0.0 && dbh_cm(tree[i - 1]) > 0.0)
+            change_cm.push_back(dbh_cm(tree[i]) - dbh_cm(tree[i - 1]) - (growth_cm_[k - 1] - growth_cm_[tree[i - 1].survey]));
+      growth_cm_[k] = growth_cm_[k - 1];  // a new survey in between: its step counts with the next one's
+      if (change_cm.size() < 8) continue;
+      const auto middle = change_cm.begin() + static_cast<std::ptrdiff_t>(change_cm.size() / 2);
+      std::nth_element(change_cm.begin(), middle, change_cm.end());
+      growth_cm_[k] += *middle;
+    }
+  }
+
   void number_species() {
     std::map<std::string, int> number_of;
     for (const PlacedSurvey& survey : surveys_) {
@@ -250,9 +288,10 @@ class Association {
     attach(k, matches, trees);
   }
 
-  /// The stand's DBH at k and after is larger by what this step found beyond what was expected.
+  /// The stand's DBH at k and after is larger by what this step found beyond what was expected. What a base knows stays.
   void grow_by(std::size_t k, double growth_cm) {
-    for (std::size_t m = k; m < growth_cm_.size(); ++m) growth_cm_[m] += growth_cm;
+    const bool based = std::find(fixed_.begin(), fixed_.end(), 1) != fixed_.end();
+    for (std::size_t m = k; m < (based ? k + 1 : growth_cm_.size()); ++m) growth_cm_[m] += growth_cm;
   }
 
   void attach(std::size_t k, const std::vector<StemMatch>& matches, const IndexedList& trees) {
@@ -294,6 +333,7 @@ class Association {
   Partners must_, must_not_;
   double noise_floor_m_;
   std::vector<double> growth_cm_;  ///< of the stand since the first survey
+  std::vector<std::uint8_t> fixed_ = std::vector<std::uint8_t>(surveys_.size(), 0);  ///< of the base
   std::vector<std::uint8_t> joined_ = std::vector<std::uint8_t>(surveys_.size(), 0);
   std::vector<std::vector<int>> species_;  ///< per survey and node, as numbers; -1: not known
   std::vector<SightedTree> trees_;

@@ -10,6 +10,7 @@
 #include "core/survey/decide_fate.hpp"
 #include "core/survey/fuse_tree.hpp"
 #include "core/survey/growth.hpp"
+#include "core/survey/place_coverage.hpp"
 #include "core/survey/review_queue.hpp"
 #include "core/survey/rule_pack.hpp"
 
@@ -41,13 +42,6 @@ double smallest_dbh_m(const Inventory& inventory) {
   if (dbh.empty()) return 0.0;
   std::sort(dbh.begin(), dbh.end());
   return quantile_of_sorted(dbh, 0.02);
-}
-
-Polygon to_reference(const Polygon& in_inventory, const RigidTransform& reference_from_inventory) {
-  Polygon out;
-  for (const Eigen::Vector2d& corner : in_inventory.corners_m)
-    out.corners_m.push_back((reference_from_inventory * Eigen::Vector3d(corner.x(), corner.y(), 0.0)).head<2>());
-  return out;
 }
 
 /// Derives the tables step by step; only `derive_tables` sees it.
@@ -101,7 +95,7 @@ void Derivation::place_surveys() {
     if (const auto e = state_.dbh_error_m.find(id); e != state_.dbh_error_m.end()) survey.dbh_error_m = e->second;
     survey.footprint = {id, {}, survey.noise_m, smallest_dbh_m(*survey.inventory)};
     if (const auto c = state_.coverages.find(id); c != state_.coverages.end()) {
-      survey.footprint.coverage_in_reference = to_reference(c->second.in_inventory, survey.reference_from_inventory);
+      survey.footprint.coverage_in_reference = place_coverage(c->second.in_inventory, *survey.inventory, survey.reference_from_inventory);
       tables_.coverages.push_back({id, survey.footprint.coverage_in_reference,
                                    area_sq_m(survey.footprint.coverage_in_reference), c->second.source});
     }

@@ -113,6 +113,46 @@ TEST(AlignSurveys, aligns_three_years_and_keeps_one_stem_of_each_in_a_tree) {
   }
 }
 
+TEST(AlignSurveys, adds_a_survey_to_a_base_without_touching_it) {
+  SimulateSettings settings;
+  settings.stems = 150;
+  settings.seed = 5;
+  settings.heights_and_axes = false;
+  for (const int year : {2011, 2015, 2019}) settings.dates.push_back(date_from_civil(year, 7, 1));
+  for (const std::size_t added : {1u, 2u}) {  // in between, and at the end
+    const Scene3 scene = surveys(settings);
+    Scene3 first = scene;
+    first.inventories.erase(first.inventories.begin() + static_cast<std::ptrdiff_t>(added));
+    const SurveyAlignment before = align(first, InventoryId{1});
+    AlignHints hints;
+    hints.base.poses = before.inventories;
+    std::map<StemRef, StemRef> later_of;
+    for (const Match& match : before.matches) later_of[match.a] = match.b;
+    std::set<StemRef> joined;
+    for (const auto& [a, b] : later_of) hints.base.trees.push_back({a, b}), joined.insert(a), joined.insert(b);
+    for (const Inventory& inventory : first.inventories)
+      for (std::size_t i = 0; i < inventory.stems.size(); ++i)
+        if (const StemRef stem{inventory.id, static_cast<std::int64_t>(i)}; !joined.contains(stem)) hints.base.trees.push_back({stem});
+    const SurveyAlignment after = align(scene, InventoryId{1}, 0, hints);
+    EXPECT_EQ(after.inventories[added].status, AlignmentStatus::aligned);
+    EXPECT_LT(worst_error_m(scene, after, added, 0), 0.25);
+    for (std::size_t k = 0, b = 0; k < 3; ++k)
+      if (k != added) EXPECT_EQ(after.inventories[k], before.inventories[b++]);
+    std::map<StemRef, std::set<StemRef>> trees_met;  // no stem of the added survey joins two trees of the base
+    for (const Match& match : after.matches) {
+      const InventoryId id = scene.inventories[added].id;
+      ASSERT_TRUE(match.a.inventory == id || match.b.inventory == id);
+      const StemRef own = match.a.inventory == id ? match.a : match.b, other = match.a.inventory == id ? match.b : match.a;
+      const auto earlier = std::find_if(later_of.begin(), later_of.end(), [&](const auto& e) { return e.second == other; });
+      trees_met[own].insert(earlier == later_of.end() ? other : earlier->first);
+    }
+    for (const auto& [stem, trees] : trees_met) EXPECT_EQ(trees.size(), 1u);
+    SurveyAlignment all = after;
+    all.matches.insert(all.matches.end(), before.matches.begin(), before.matches.end());
+    EXPECT_GT(match_quality(scene, all).recall, 0.95);
+  }
+}
+
 TEST(AlignSurveys, observes_tilt_and_height_where_both_surveys_have_axes_and_base_heights) {
   SimulateSettings settings = two_years(200, 4);
   settings.heights_and_axes = true;

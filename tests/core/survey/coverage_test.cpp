@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
+#include "core/survey/place_coverage.hpp"
 
 namespace stemwise {
 namespace {
@@ -50,6 +51,18 @@ FrameSet walk_along(const std::vector<Eigen::Vector2d>& path, double range_m) {
     frames.frames.push_back(frame);
   }
   return frames;
+}
+
+TEST(Coverage, OfALeaningFrameLiesWhereItsStemsLie) {
+  Inventory inventory;
+  inventory.stems = scattered(400, 60, 60, 8);
+  const RigidTransform leaning{rotation_from({0.15, -0.1, 0.7}), {100, 50, -20}};
+  for (Stem& stem : inventory.stems) stem.z_m = 40.0 - 0.15 * stem.y_m;  // ground far below the origin
+  const Polygon placed = place_coverage(coverage_from_stems(inventory.stems).in_inventory, inventory, leaning);
+  int inside = 0;
+  for (const Stem& stem : inventory.stems)
+    inside += contains(placed, (leaning * Eigen::Vector3d(stem.x_m, stem.y_m, *stem.z_m)).head<2>()) ? 1 : 0;
+  EXPECT_GE(inside, 396);
 }
 
 TEST(Coverage, OfARectangleOfStemsIsTheRectangleAndALittleMore) {
