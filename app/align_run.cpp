@@ -131,8 +131,8 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   LoadedInventories loaded = load_inventories(paths, options.read, session, progress.stage(0.0, 0.3));
   if (loaded.code != ExitCode::done) return ended(loaded.code, loaded.problem);
   const double read_s = seconds_since(start);
-  loaded.inventories = with_registered_trajectories(std::move(loaded.inventories), registering, settings.threads, progress.stage(0.3, 0.4));
-  if (const ExitCode code = add_all(std::move(loaded.inventories), options, run.project, session.console); code != ExitCode::done) return ended(code);
+  Registered registered = with_registered_trajectories(std::move(loaded.inventories), registering, settings.threads, progress.stage(0.3, 0.4));
+  if (const ExitCode code = add_all(std::move(registered.surveys), options, run.project, session.console); code != ExitCode::done) return ended(code);
   remember_settings(session, run.project);
   AlignHints hints;
   if (const ExitCode code = read_hints(options, run.project, session.console, hints); code != ExitCode::done) return ended(code);
@@ -148,6 +148,7 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   }
   run.timing = outcome.alignment.timing;
   session.console.end_progress();
+  for (const std::string& note : registered.report.notes) session.console.say("note: " + note);
   for (const std::string& note : outcome.alignment.notes) session.console.say("note: " + note);
   run.project.execute(apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages)));
   run.tables = derive_tables(run.project.state());

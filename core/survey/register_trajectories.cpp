@@ -270,8 +270,8 @@ RegisterReport register_trajectories(const std::vector<Inventory>& surveys, cons
   return Registration(surveys, settings, threads).run(progress);
 }
 
-std::vector<Inventory> with_registered_trajectories(std::vector<Inventory> surveys, const RegisterSettings& settings, int threads, const Progress& progress) {
-  const RegisterReport report = register_trajectories(surveys, settings, threads, progress);
+Registered with_registered_trajectories(std::vector<Inventory> surveys, const RegisterSettings& settings, int threads, const Progress& progress) {
+  RegisterReport report = register_trajectories(surveys, settings, threads, progress);
   for (std::size_t s = 0; s < surveys.size(); ++s) {
     if (!report.corrected[s]) continue;
     surveys[s].frames = report.corrected[s];
@@ -280,7 +280,7 @@ std::vector<Inventory> with_registered_trajectories(std::vector<Inventory> surve
     for (const std::string& note : report.notes)
       if (note.starts_with(surveys[s].name + ": ")) surveys[s].source.notes.push_back(note);
   }
-  return surveys;
+  return {std::move(surveys), std::move(report)};
 }
 
 }  // namespace stemwise

@@ -53,7 +53,13 @@ struct RegisterReport {
 /// trajectory stays in its survey's own frame: how surveys lie on each other is decided afterwards. Deterministic. Throws Cancelled.
 RegisterReport register_trajectories(const std::vector<Inventory>& surveys, const RegisterSettings& settings, int threads, const Progress& progress);
 
-/// The surveys with corrected trajectories and their stem lists made anew from them; others as they were. Notes go to their source.
-std::vector<Inventory> with_registered_trajectories(std::vector<Inventory> surveys, const RegisterSettings& settings, int threads, const Progress& progress);
+struct Registered {
+  std::vector<Inventory> surveys;
+  RegisterReport report;
+};
+
+/// The surveys with corrected trajectories and their stem lists made anew from them; others as they were. Notes go to their
+/// source too.
+Registered with_registered_trajectories(std::vector<Inventory> surveys, const RegisterSettings& settings, int threads, const Progress& progress);
 
 }  // namespace stemwise

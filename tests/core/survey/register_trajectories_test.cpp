@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "core/base/random.hpp"
@@ -97,7 +98,7 @@ double drift_m(const FrameSet& frames, const FrameSet& truth) {
     const Eigen::Vector2d u = at(frames, i) - from, v = at(truth, i) - to;
     dot += u.dot(v), cross += u.x() * v.y() - u.y() * v.x();
   }
-  const Eigen::Rotation2Dd turn(std::atan2(cross, dot));
+  const Eigen::Rotation2D<double> turn(std::atan2(cross, dot));
   for (std::size_t i = 0; i < frames.frames.size(); ++i) sum_sq += (turn * (at(frames, i) - from) - (at(truth, i) - to)).squaredNorm();
   return std::sqrt(sum_sq / n);
 }
