@@ -21,6 +21,25 @@ AssociateSettings associate_settings(const GlobalInventorySettings& settings, bo
   return s;
 }
 
+/// Positions noisier than the settings expect scatter one tree's sightings over several: then everything that says "near"
+/// is widened. Trees that one frame sees side by side stay two all the same.
+GlobalInventorySettings fitted_to_noise(GlobalInventorySettings settings, const FrameObservations& observations) {
+  constexpr double widest = 2.5, median_of_plane = 1.18;  // of the distance of a plane normal with standard deviation 1
+  const std::vector<double> equal(observations.pose_positions.size(), 1.0);
+  std::vector<double> off_m;
+  for (const TreeNode& tree : associate_observations(observations, equal, associate_settings(settings, true)))
+    for (const std::size_t o : tree.observations)
+      if (tree.observations.size() >= 3) off_m.push_back((observations.all[o].plane() - tree.position).norm());
+  if (off_m.size() < 30) return settings;
+  const auto middle = off_m.begin() + static_cast<std::ptrdiff_t>(off_m.size() / 2);
+  std::nth_element(off_m.begin(), middle, off_m.end());
+  const double wider = std::clamp(*middle / (1.25 * median_of_plane * settings.position_noise_m), 1.0, widest);
+  settings.association_radius_m *= wider;
+  settings.merge_radius_m *= wider;
+  settings.position_noise_m *= wider;
+  return settings;
+}
+
 /// A first grouping of the good stems alone tells which frames contradict the others.
 std::vector<FrameConsistency> check_frames(const FrameObservations& observations, const GlobalInventorySettings& settings) {
   const std::vector<double> equal(observations.pose_positions.size(), 1.0);
@@ -124,11 +143,12 @@ Fields GlobalInventorySettings::fields() {
           {"global.least_sightings", "", "Frames that must see a tree that was never reconstructed.", &least_sightings}};
 }
 
-GlobalInventory build_global_inventory(const FrameSet& frames, const GlobalInventorySettings& settings, const Progress& progress) {
+GlobalInventory build_global_inventory(const FrameSet& frames, const GlobalInventorySettings& usual, const Progress& progress) {
   GlobalInventory result;
   result.report.frames = static_cast<int>(frames.frames.size());
   progress.at(0.0, "Gathering the stems of all frames");
   FrameObservations observations = gather_observations(frames);
+  const GlobalInventorySettings settings = fitted_to_noise(usual, observations);
   progress.at(0.1, "Checking frames against each other");
   const std::vector<FrameConsistency> judged = check_frames(observations, settings);
   put_back(judged, settings, observations);

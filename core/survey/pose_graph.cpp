@@ -88,7 +88,7 @@ bool solve(std::vector<Node>& nodes, std::span<const PoseEdge> edges, const std:
   ceres::EigenQuaternionManifold sphere;
   ceres::Problem problem(options);
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (used[e] == 0) continue;
+    if (used[e] == 0 || edges[e].a == edges[e].b) continue;  // of a node with itself: says nothing
     Node &a = nodes[edges[e].a], &b = nodes[edges[e].b];
     auto* cost = new ceres::AutoDiffCostFunction<EdgeResidual, 6, 4, 3, 4, 3>(new EdgeResidual(edges[e]));
     problem.AddResidualBlock(cost, edges[e].trusted ? nullptr : new ceres::CauchyLoss(kernel_sds), a.turn.data(), a.place.data(), b.turn.data(), b.place.data());
@@ -121,7 +121,8 @@ PoseGraphReport optimise_pose_graph(std::vector<RigidTransform> start, std::span
   for (const RigidTransform& pose : start) nodes.push_back(node_of(pose));
   report.accepted.assign(edges.size(), 1);
   report.residual_m.assign(edges.size(), 0.0);
-  for (const double wider : {16.0, 4.0, 1.0, 1.0}) {
+  const std::vector<double> stages = settings.graduated ? std::vector<double>{256.0, 32.0, 8.0, 1.0, 1.0} : std::vector<double>{1.0, 1.0};
+  for (const double wider : stages) {
     report.converged = solve(nodes, edges, report.accepted, anchor, wider * settings.kernel_sds, settings.most_iterations);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const RigidTransform a = pose_of(nodes[edges[e].a]), b = pose_of(nodes[edges[e].b]);

@@ -20,7 +20,8 @@ struct PoseEdge {
 };
 
 struct PoseGraphSettings {
-  double kernel_sds = 2.0;      ///< scale of the Cauchy kernel; approached from sixteen times as wide (graduated)
+  double kernel_sds = 2.0;      ///< scale of the Cauchy kernel
+  bool graduated = true;        ///< approached from a kernel so wide that everything pulls; not needed near the solution
   double reject_sds = 6.0;      ///< an edge farther off than this many standard deviations is rejected
   double reject_m = 0.5;        ///< and only when it is off by this much
   int most_iterations = 60;

@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "core/survey/build_global_inventory.hpp"
+#include "core/survey/level_by_axes.hpp"
 #include "core/survey/merge_coincident.hpp"
+#include "core/survey/move_frames.hpp"
 #include "core/survey/trajectory_windows.hpp"
 
 namespace stemwise {
@@ -14,8 +16,9 @@ namespace {
 
 constexpr double scene_sd_m = 0.15, scene_height_sd_m = 0.3, scene_yaw_sd_rad = 0.02, scene_tilt_sd_rad = 0.03;
 constexpr double window_sd_m = 0.08, window_yaw_sd_rad = 0.01;
-constexpr double unknown_m = 100.0, unknown_rad = 1.0;  // a bare list says nothing about height and tilt
-constexpr int rounds = 2;                               // windows are cut again from the corrected trajectory
+constexpr double unknown_m = 100.0;        // a bare list says nothing about height; it stands upright, and so do levelled frames:
+constexpr double window_tilt_sd_rad = 0.02;  // a way free to lean would rather lean than shrink
+constexpr int list_rounds = 4;                          // windows are cut again from the corrected trajectory
 
 bool has_way(const Inventory& survey) { return survey.frames && survey.frames->frames.size() >= 2; }
 
@@ -29,7 +32,8 @@ class Registration {
  public:
   Registration(const std::vector<Inventory>& surveys, const RegisterSettings& settings, int threads) : surveys_(surveys), settings_(settings), threads_(threads) {
     for (const Inventory& survey : surveys) {
-      frames_.push_back(has_way(survey) ? *survey.frames : FrameSet{});
+      level_.push_back({has_way(survey) ? level_by_axes(survey.stems, {}).level_from_survey : Eigen::Matrix3d(Eigen::Matrix3d::Identity()), Eigen::Vector3d::Zero()});
+      frames_.push_back(has_way(survey) ? move_frames(*survey.frames, level_.back()) : FrameSet{});
       first_node_.push_back(nodes_);
       nodes_ += std::max<std::size_t>(1, frames_.back().frames.size());
       lists_.push_back(has_way(survey) ? std::nullopt : std::optional<IndexedList>(merge_coincident(survey.stems, settings.lists.merge_radius_m)));
@@ -39,11 +43,14 @@ class Registration {
   RegisterReport run(const Progress& progress) {
     recognise_scenes(progress.stage(0.0, 0.5));
     std::vector<RigidTransform> poses;
+    const int rounds = std::any_of(lists_.begin(), lists_.end(), [](const auto& list) { return list.has_value(); }) ? list_rounds : 1;
     for (int round = 0; round < rounds; ++round) {
-      place_on_lists(round, poses, progress.stage(0.5 + 0.25 * round, 0.7 + 0.25 * round));
-      progress.at(0.7 + 0.25 * round, "Estimating trajectories");
+      place_on_lists(round, poses, progress.stage(0.5 + 0.5 * round / rounds, 0.5 + 0.5 * (round + 0.8) / rounds));
+      progress.at(0.5 + 0.5 * (round + 0.8) / rounds, "Estimating trajectories");
       const std::vector<PoseEdge> edges = edges_of_graph();
-      const PoseGraphReport graph = optimise_pose_graph(poses.empty() ? first_poses() : poses, edges, first_node_[anchor()], settings_.graph);
+      PoseGraphSettings how = settings_.graph;
+      how.graduated = round == 0;
+      const PoseGraphReport graph = optimise_pose_graph(poses.empty() ? first_poses() : poses, edges, first_node_[anchor()], how);
       poses = graph.poses;
       take(graph, edges.size() - constraints_.size());
     }
@@ -156,7 +163,7 @@ class Registration {
     for (const TrajectoryConstraint& c : constraints_) {
       const bool on_list = !c.frame_a;
       edges.push_back({node(c.a, c.frame_a), node(c.b, c.frame_b), c.a_from_b, on_list ? window_sd_m : scene_sd_m, on_list ? unknown_m : scene_height_sd_m,
-                       on_list ? window_yaw_sd_rad : scene_yaw_sd_rad, on_list ? unknown_rad : scene_tilt_sd_rad, false});
+                       on_list ? window_yaw_sd_rad : scene_yaw_sd_rad, on_list ? window_tilt_sd_rad : scene_tilt_sd_rad, false});
     }
     return edges;
   }
@@ -216,8 +223,9 @@ class Registration {
       FrameSet corrected = frames_[s];
       double sum_sq = 0.0;
       for (std::size_t f = 0; f < corrected.frames.size(); ++f) {
-        corrected.frames[f].pose.survey_from_frame = survey_from_graph * poses[node(s, f)];
-        sum_sq += (corrected.frames[f].pose.survey_from_frame.translation_m - odometry(s, f).translation_m).squaredNorm();
+        const RigidTransform levelled = survey_from_graph * poses[node(s, f)];
+        sum_sq += (levelled.translation_m - odometry(s, f).translation_m).squaredNorm();
+        corrected.frames[f].pose.survey_from_frame = level_[s].inverse() * levelled;
       }
       result.correction_m[s] = std::sqrt(sum_sq / static_cast<double>(corrected.frames.size()));
       if (result.correction_m[s] < settings_.least_drift_m) continue;
@@ -239,7 +247,8 @@ class Registration {
   const std::vector<Inventory>& surveys_;
   const RegisterSettings& settings_;
   int threads_;
-  std::vector<FrameSet> frames_;  ///< as given; empty for a bare list
+  std::vector<RigidTransform> level_;  ///< level from survey: a turn about the origin
+  std::vector<FrameSet> frames_;       ///< as given but upright; empty for a bare list
   std::vector<std::optional<IndexedList>> lists_;
   std::vector<std::size_t> first_node_;
   std::size_t nodes_ = 0;

@@ -16,11 +16,11 @@ namespace stemwise {
 
 struct RegisterSettings {
   int loop_gap_frames = 50;           ///< frames nearer to each other in the order of driving are no loop
-  double window_m = 40.0;             ///< length of way whose stems are laid onto a bare list at once
-  double window_step_m = 15.0;        ///< from one such window to the next
+  double window_m = 16.0;             ///< length of way whose stems are laid onto a bare list at once
+  double window_step_m = 8.0;         ///< from one such window to the next
   double least_drift_m = 0.3;         ///< a trajectory that would change by less (root mean square) is left as it is
-  double odometry_share = 0.02;       ///< standard deviation of a step, of its length
-  double odometry_yaw_rad_per_m = 0.002;
+  double odometry_share = 0.06;       ///< standard deviation of a step, of its length: drift is a bias of every step, so this is wide
+  double odometry_yaw_rad_per_m = 0.004;
   double odometry_tilt_rad_per_m = 0.0005;
   double list_accept_log_ratio = 28.0;  ///< of a window next to one already placed: few poses are tried there
   treeloc::MatchSurveysSettings scenes;

@@ -146,6 +146,18 @@ TEST(BuildGlobalInventory, OnlyMeasuredDbhBecomesDbh) {
   }
 }
 
+TEST(BuildGlobalInventory, NoisyPositionsDoNotMakeTwoStemsOfOne) {
+  std::vector<Stem> truth;
+  for (const Stem& stem : stand(150, 60, 12))
+    if (truth.empty() || std::hypot(nearest(truth, stem)->x_m - stem.x_m, nearest(truth, stem)->y_m - stem.y_m) > 1.5) truth.push_back(stem);
+  SimulateFramesSettings settings;
+  settings.position_noise_m = 0.15;
+  settings.seed = 3;
+  const auto stems = build_global_inventory(simulate_frames(truth, walk_over(truth, settings), settings)).stems;
+  EXPECT_LE(stems.size(), truth.size() + truth.size() / 10);
+  EXPECT_GE(compare(truth, stems).found, static_cast<int>(0.95 * static_cast<double>(truth.size())));
+}
+
 TEST(BuildGlobalInventory, NoFramesGiveNoStems) {
   EXPECT_TRUE(build_global_inventory(FrameSet{}).stems.empty());
   EXPECT_TRUE(build_global_inventory(FrameSet{{Frame{}}}).stems.empty());

