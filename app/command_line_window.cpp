@@ -15,7 +15,7 @@ void add_window_command(CLI::App& root, CommonOptions& common, ChosenCommand& ch
   gui.add_option("--script", options->script, "Drive the window without a display by the lines of this file")->group("");
   gui.add_option("--width", options->width)->group("");
   gui.add_option("--height", options->height)->group("");
-  gui.callback([options, &chosen] { chosen.run = [options](Session&) { return static_cast<ExitCode>(run_window(*options)); }; });
+  gui.callback([options, &chosen] { chosen.run = [options](Session& session) { return static_cast<ExitCode>(run_window(*options, session.cancel)); }; });
 }
 
 }  // namespace stemwise

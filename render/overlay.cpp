@@ -265,8 +265,12 @@ class OverlayPainter {
     cairo_set_source(canvas_.cairo(), pattern);
     cairo_fill(canvas_.cairo());
     cairo_pattern_destroy(pattern);
-    for (const LegendTick& tick : key.ticks)
-      canvas_.text(x + tick.at * width, y + 21.0, tick.label, {11.0, Weight::regular, colours_.secondary, Align::centre});
+    const TextStyle words{11.0, Weight::regular, colours_.secondary, Align::centre};
+    for (const LegendTick& tick : key.ticks) {
+      // The outermost numbers stay inside the panel.
+      const double half = 0.5 * canvas_.text_width(tick.label, words), low = x + half - 5.0, high = x + width - half + 5.0;
+      canvas_.text(std::clamp(x + tick.at * width, low, std::max(low, high)), y + 21.0, tick.label, words);
+    }
   }
 
   void title() const {

@@ -58,6 +58,7 @@ struct Viewport::Impl {
   std::optional<Flight> flight;
   double settling_s = 0.0;  ///< a turn of the wheel has no end: for a moment it counts as moving
   std::unique_ptr<ViewRenderer> renderer;
+  bool is_moved = false;    ///< by a person since the last fit: then a new size leaves the view where it is
   bool is_fit_pending = true, is_scene_stale = true, is_drawing_stale = true, is_overlay_stale = true;
 
   void touch() { is_drawing_stale = is_overlay_stale = true; }
@@ -86,6 +87,7 @@ struct Viewport::Impl {
   void fit() {
     is_fit_pending = !has_size();
     if (is_fit_pending) return;
+    is_moved = false;
     const Eigen::Vector3d middle = 0.5 * (scene.low_m + scene.high_m);
     const Eigen::Vector3d extent = scene.high_m - scene.low_m;
     fit_map(middle.head<2>(), extent.head<2>());
@@ -101,6 +103,7 @@ struct Viewport::Impl {
 
   void fly(const Eigen::Vector3d& place_m, double radius_m, bool animated) {
     if (!has_size()) return;
+    is_moved = true;
     Flight next{.map_from = view.map, .map_to = view.map, .orbit_from = view.orbit, .orbit_to = view.orbit};
     const double shorter_px = std::min(view.size.width, view.size.height);
     next.map_to.centre_m = place_m.head<2>();
@@ -226,13 +229,14 @@ void Viewport::resize(PixelSize size, double scale) {
   s.view.size = size;
   s.view.px_scale = scale;
   s.touch();
-  if (s.is_fit_pending || !had_size) s.fit();
+  if (s.is_fit_pending || !had_size || !s.is_moved) s.fit();
 }
 
 void Viewport::fit() { impl_->fit(); }
 
 void Viewport::pan(double dx_px, double dy_px) {
   impl_->flight.reset();
+  impl_->is_moved = true;
   if (impl_->options.kind == ViewKind::map) {
     impl_->view.map.pan(dx_px, dy_px);
   } else {
@@ -243,6 +247,7 @@ void Viewport::pan(double dx_px, double dy_px) {
 
 void Viewport::zoom_at(double x_px, double y_px, double factor) {
   impl_->flight.reset();
+  impl_->is_moved = true;
   if (impl_->options.kind == ViewKind::map) {
     impl_->view.map.zoom_at({x_px, y_px}, factor, impl_->view.size);
   } else {
@@ -255,6 +260,7 @@ void Viewport::zoom_at(double x_px, double y_px, double factor) {
 void Viewport::orbit(double dx_px, double dy_px) {
   if (impl_->options.kind == ViewKind::map) return;
   impl_->flight.reset();
+  impl_->is_moved = true;
   impl_->view.orbit.orbit(dx_px / impl_->view.px_scale, dy_px / impl_->view.px_scale);
   impl_->touch();
 }

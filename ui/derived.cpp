@@ -30,6 +30,37 @@ const QueueRow* Derived::doubt(TreeId id) const {
   return it == queue.end() ? nullptr : &tables.queue[it->second];
 }
 
+namespace {
+
+void count_overlap(Derived& d) {
+  const Tables& t = d.tables;
+  const auto looked = [&](const CoverageRow& row, const ObservationRow& stem) {
+    return row.inventory != stem.stem.inventory && contains(row.in_reference, stem.position_m.head<2>());
+  };
+  for (const ObservationRow& stem : t.observations) {
+    const bool matched = d.observations[stem.tree].size() > 1;
+    if (!matched && std::none_of(t.coverages.begin(), t.coverages.end(), [&](const CoverageRow& row) { return looked(row, stem); })) continue;
+    InOverlap& count = d.in_overlap[stem.stem.inventory];
+    ++count.stems;
+    count.matched += matched ? 1 : 0;
+  }
+}
+
+void count_fates(Derived& d) {
+  const std::vector<InventoryId>& surveys = d.tables.inventories;
+  if (surveys.size() < 2) return;
+  const InventoryId from = surveys[surveys.size() - 2], to = surveys.back();
+  for (const TreeRow& tree : d.tables.trees) {
+    if (tree.last_seen == from || tree.last_seen == to) {
+      ++d.last_step_fates[static_cast<std::size_t>(tree.fate)];
+    } else {
+      ++d.seen_before_only;
+    }
+  }
+}
+
+}  // namespace
+
 Derived derive(const ProjectState& state, std::uint64_t revision) {
   Derived d;
   d.revision = revision;
@@ -47,6 +78,8 @@ Derived derive(const ProjectState& state, std::uint64_t revision) {
     std::stable_sort(rows.begin(), rows.end(),
                      [&](std::size_t a, std::size_t b) { return place(t.observations[a].stem.inventory) < place(t.observations[b].stem.inventory); });
   }
+  count_overlap(d);
+  count_fates(d);
   return d;
 }
 

@@ -1,6 +1,7 @@
 #include "ui/frame.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "ui/theme/tokens.hpp"
 
@@ -21,10 +22,11 @@ std::string stem_label(const ProjectState& state, StemRef stem) {
 std::string survey_label(const ProjectState& state, InventoryId id) {
   const Inventory* inventory = state.find(id);
   if (inventory == nullptr) return "–";
-  if (!inventory->date) return inventory->name;
-  const int year = year_of(*inventory->date);
-  const auto same_year = [&](const auto& other) { return other->id != id && other->date && year_of(*other->date) == year; };
-  return std::any_of(state.inventories.begin(), state.inventories.end(), same_year) ? inventory->name : std::to_string(year);
+  std::set<int> years;
+  for (const auto& other : state.inventories) {
+    if (!other->date || !years.insert(year_of(*other->date)).second) return inventory->name;
+  }
+  return std::to_string(year_of(*inventory->date));
 }
 
 StemRef unlink_target(const ProjectState& state, const ViewState& view) {
@@ -37,14 +39,18 @@ StemRef unlink_target(const ProjectState& state, const ViewState& view) {
   return *std::max_element(stems.begin(), stems.end(), [&](const StemRef& a, const StemRef& b) { return place(a) < place(b); });
 }
 
-const MatchRow* match_to_decide(const Derived& derived, TreeId tree) {
-  if (const QueueRow* doubt = derived.doubt(tree); doubt != nullptr && doubt->match) return &derived.tables.matches[*doubt->match];
-  const MatchRow* weakest = nullptr;
-  for (const MatchRow* row : derived.matches_of(tree)) {
-    if (row->state == MatchState::rejected) continue;
-    if (weakest == nullptr || row->confidence < weakest->confidence) weakest = row;
+const MatchRow* match_to_decide(const Derived& derived, const ViewState& view) {
+  std::vector<const MatchRow*> rows = derived.matches_of(view.selected_tree);
+  std::erase_if(rows, [](const MatchRow* row) { return row->state == MatchState::rejected; });
+  for (const auto end : {&MatchRow::b, &MatchRow::a}) {
+    for (const MatchRow* row : rows) {
+      if (view.selected_stem.index >= 0 && row->*end == view.selected_stem) return row;
+    }
   }
-  return weakest;
+  const QueueRow* doubt = derived.doubt(view.selected_tree);
+  if (doubt != nullptr && !doubt->decided) return doubt->match ? &derived.tables.matches[*doubt->match] : nullptr;
+  const auto weakest = std::min_element(rows.begin(), rows.end(), [](const MatchRow* a, const MatchRow* b) { return a->confidence < b->confidence; });
+  return weakest == rows.end() ? nullptr : *weakest;
 }
 
 }  // namespace stemwise::ui

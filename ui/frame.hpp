@@ -27,11 +27,12 @@ struct Frame {
 Color inventory_color(const ProjectState& state, InventoryId id);
 /// "2018:1204": how a stem is called by people.
 std::string stem_label(const ProjectState& state, StemRef stem);
-/// Name or year of an inventory, for table heads: the year where it has a date.
+/// What people call an inventory: its year where every inventory has one of its own, else its name.
 std::string survey_label(const ProjectState& state, InventoryId id);
 /// The stem that Unlink takes out: the selected one, else the tree's last sighting.
 StemRef unlink_target(const ProjectState& state, const ViewState& view);
-/// The match that Accept and Reject decide on: that of the queue, else the tree's least certain automatic one.
-const MatchRow* match_to_decide(const Derived& derived, TreeId tree);
+/// The match that Accept and Reject decide on: that of the selected stem, else that of the queue, else the tree's least certain
+/// one. None where the doubt is about the tree's fate and no stem was chosen.
+const MatchRow* match_to_decide(const Derived& derived, const ViewState& view);
 
 }  // namespace stemwise::ui

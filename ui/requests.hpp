@@ -16,7 +16,8 @@ namespace stemwise::ui {
 /// What the panels ask for; `app` answers with commands, jobs and changes of the view.
 namespace request {
 struct Run { ActionId action; };
-struct SelectTree { TreeId tree; bool fly = true; };
+/// `stem`: the one of its stems that is meant; none: the one that its doubt is about.
+struct SelectTree { TreeId tree; bool fly = true; StemRef stem = {}; };
 struct AddInventories { std::vector<std::string> paths; };
 struct OpenProject { std::string path; };
 struct SaveProject { std::string path; };
@@ -36,6 +37,8 @@ struct GoToHistory { std::size_t position; };
 struct CancelJob { int job; };
 struct DismissNotice { int notice; };
 struct DismissNotices {};
+struct NoticeChoice { int notice; std::size_t choice; };  ///< one of the notice's buttons
+struct AnswerQuestion { bool yes; };
 struct Recover { bool yes; };
 struct Leave { bool save; };
 /// A rough position of an inventory's origin in the reference: the way out of a refusal.
@@ -62,7 +65,7 @@ using Request =
                  request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::LinkStems,
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::SetGeoreference, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,
-                 request::DismissNotices, request::Recover, request::Leave, request::RoughPose, request::Export, request::WriteReport,
+                 request::DismissNotices, request::NoticeChoice, request::AnswerQuestion, request::Recover, request::Leave, request::RoughPose, request::Export, request::WriteReport,
                  request::ShowChart, request::Pointer>;
 
 /// Filled while a frame is drawn, emptied by `app` after it.

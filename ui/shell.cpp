@@ -31,14 +31,29 @@ struct Layout {
   Rect steps, left, middle, right, bottom, status;
 };
 
-Layout lay_out(const Widgets& w, const ViewState& view, float width, float height) {
+/// The tab below has nothing to show yet: one line needs no big panel.
+bool is_bottom_empty(const Frame& frame) {
+  const Tables& t = frame.tables();
+  switch (frame.view.tab) {
+    case BottomTab::queue: return t.queue.empty();
+    case BottomTab::matches: return t.matches.empty();
+    case BottomTab::growth: return t.growth.empty();
+    case BottomTab::log: return frame.state().edit_log.empty();
+    case BottomTab::jobs: return frame.status.jobs.size() < 2 && frame.status.notices.empty();
+  }
+  return false;
+}
+
+Layout lay_out(const Widgets& w, const Frame& frame, float width, float height) {
+  const ViewState& view = frame.view;
   const PanelSizes& p = view.panels;
   const float top = w.px(MenuBar::height);
   const float body_top = top + w.px(StepBar::height);
   const float body_bottom = height - w.px(StatusBar::height);
   const float left = p.show_left ? std::min(w.px(p.left), 0.35f * width) : 0.0f;
   const float right = p.show_right ? std::min(w.px(p.right), 0.40f * width) : 0.0f;
-  const float bottom = p.show_bottom ? std::min(w.px(p.bottom), 0.50f * (body_bottom - body_top)) : 0.0f;
+  const float wanted = is_bottom_empty(frame) ? std::min(w.px(p.bottom), w.px(108)) : w.px(p.bottom);
+  const float bottom = p.show_bottom ? std::min(wanted, 0.46f * (body_bottom - body_top)) : 0.0f;
   Layout l;
   l.steps = {0, top, width, w.px(StepBar::height)};
   l.left = {0, body_top, left, body_bottom - body_top};
@@ -105,7 +120,7 @@ void Shell::draw(Frame& frame) {
     frame.view.blink = false;
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout = lay_out(w, frame.view, size.x, size.y);
+  const Layout layout = lay_out(w, frame, size.x, size.y);
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -200,6 +215,7 @@ void Shell::Impl::draw_dialogs(Frame& frame) {
     case Dialog::history: draw_history(widgets, frame); break;
     case Dialog::recover: draw_recovery(widgets, frame); break;
     case Dialog::leave: draw_leave(widgets, frame); break;
+    case Dialog::question: draw_question(widgets, frame); break;
     default:
       if (!files.is_open() || browsing != frame.view.dialog) start_browsing(frame);
       if (const auto paths = files.draw(widgets, frame.status.home_folder, frame.status.places)) finish_browsing(frame, *paths);
@@ -219,7 +235,8 @@ void Shell::Impl::start_browsing(Frame& frame) {
     case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".csv", ".xlsx", ".geojson", ".shp", ".kml", ".dxf", ".fgb"}, true, false, title + "-trees.gpkg"}; break;
     default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv"}, true, false, title + "-growth.html"}; break;
   }
-  files.open(std::move(mode), frame.status.working_folder);
+  const std::string folder = mode.save ? frame.status.project_folder : frame.status.working_folder;
+  files.open(std::move(mode), folder);
 }
 
 void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& paths) {

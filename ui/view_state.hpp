@@ -14,7 +14,7 @@ enum class ViewMode { map, space };
 enum class Tool { select, measure, link };
 enum class ColorBy { inventory, fate, dbh, growth, residual, confidence, times_seen };
 enum class BottomTab { queue, matches, growth, log, jobs };
-enum class Dialog { none, open_project, add_inventories, save_project, export_path, report_path, palette, keys, about, history, recover, leave };
+enum class Dialog { none, open_project, add_inventories, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
 
 /// What is laid over the map and the 3D view.
 struct Layers {
@@ -48,7 +48,7 @@ struct ViewState {
   std::set<InventoryId> hidden;
   std::optional<Fate> only_fate;   ///< the map and the tables show only these
   TreeId selected_tree;
-  StemRef selected_stem;           ///< of the selected tree; the one that Unlink takes out
+  StemRef selected_stem;           ///< of the selected tree: Unlink takes it out, Accept and Reject decide on its match
   InventoryId selected_inventory;
   StemRef link_from;               ///< while the link tool waits for the second stem
   bool blink = false;

@@ -29,6 +29,15 @@ struct Notice {
   std::string title;
   Issues details;
   double age_s = 0.0;
+  std::vector<std::string> choices;  ///< buttons: what can be done about it at once
+};
+
+/// Something to decide before the work goes on.
+struct Question {
+  std::string title;  ///< "Replace trees.csv?"
+  std::string text;
+  std::string yes;    ///< "Replace": what is done
+  std::string no;     ///< "Keep the old one"
 };
 
 /// The rendered map or 3D view, as a GL texture whose first row is at the bottom.
@@ -71,12 +80,14 @@ struct WindowStatus {
   std::vector<LegendEntry> legend;
   std::string legend_caption;               ///< "DBH, cm"
   std::string home_folder, working_folder;
+  std::string project_folder;               ///< where what is written belongs: the project's, else its first survey's
   std::vector<std::string> places;          ///< folders used lately
   std::string version;
   std::string renderer;                     ///< GL_RENDERER
   std::optional<OverlayLine> measure_line;
   std::string measure_text;                 ///< what the measuring tool has to say
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing
+  std::optional<Question> question;         ///< asked while the dialog `question` is open
 
   const JobView* running() const {
     for (const JobView& job : jobs) {

@@ -2,8 +2,11 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "app/platform/folders.hpp"
 
@@ -32,6 +35,20 @@ std::string user_name() {
   if (const std::string user = environment("USER"); !user.empty()) return user;
   const passwd* entry = getpwuid(getuid());
   return entry != nullptr ? entry->pw_name : "unknown";
+}
+
+std::string local_time(const std::string& utc) {
+  std::tm parts{};
+  if (std::sscanf(utc.c_str(), "%d-%d-%dT%d:%d", &parts.tm_year, &parts.tm_mon, &parts.tm_mday, &parts.tm_hour, &parts.tm_min) != 5) return utc;
+  parts.tm_year -= 1900;
+  parts.tm_mon -= 1;
+  const std::time_t time = timegm(&parts);
+  std::tm local{};
+  if (localtime_r(&time, &local) == nullptr) return utc;
+  static constexpr const char* months[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%d %s %d, %02d:%02d", local.tm_mday, months[local.tm_mon % 12], local.tm_year + 1900, local.tm_hour, local.tm_min);
+  return text.data();
 }
 
 int process_id() { return static_cast<int>(getpid()); }

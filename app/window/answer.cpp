@@ -11,7 +11,7 @@ struct Answer {
   WindowModel& m;
 
   void operator()(const request::Run& r) const { run_action(m, r.action); }
-  void operator()(const request::SelectTree& r) const { select_tree(m, r.tree, r.fly); }
+  void operator()(const request::SelectTree& r) const { select_tree(m, r.tree, r.fly, r.stem); }
   void operator()(const request::AddInventories& r) const { add_inventories(m, r.paths); }
   void operator()(const request::OpenProject& r) const {
     leave_then(m, [&model = m, path = r.path] { open_project(model, path); });
@@ -36,6 +36,10 @@ struct Answer {
   void operator()(const request::CancelJob& r) const { m.jobs.cancel(r.job); }
   void operator()(const request::DismissNotice& r) const { m.notices.dismiss(r.notice); }
   void operator()(const request::DismissNotices&) const { m.notices.clear(); }
+  void operator()(const request::NoticeChoice& r) const {
+    if (const auto chosen = m.notices.choose(r.notice, r.choice)) chosen();
+  }
+  void operator()(const request::AnswerQuestion& r) const { answer_question(m, r.yes); }
   void operator()(const request::Recover& r) const { answer_recovery(m, r.yes); }
   void operator()(const request::Leave& r) const { answer_leave(m, r.save); }
   void operator()(const request::RoughPose& r) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "app/platform/folders.hpp"
 #include "app/window/autosave.hpp"
@@ -23,6 +24,17 @@ void apply_preferences(const Preferences& p, ui::ViewState& view) {
   view.zoom_percent = p.zoom_percent;
   view.panels = p.panels;
   view.layers = p.layers;
+}
+
+/// Where the project's file lies, else its first survey's; "" when neither is in a file.
+std::string project_folder(const Document& document) {
+  std::string file = document.path();
+  for (const auto& inventory : document.state().inventories) {
+    if (file.empty()) file = inventory->source.path;
+  }
+  std::error_code error;
+  const std::filesystem::path folder = file.empty() ? std::filesystem::path() : std::filesystem::absolute(file, error).lexically_normal().parent_path();
+  return std::filesystem::is_directory(folder, error) ? folder.string() : "";
 }
 
 }  // namespace
@@ -78,7 +90,9 @@ void Desk::offer_recovery() {
   if (files.empty()) return;
   const AutosaveOrigin origin = autosave_origin(files.front());
   model_->recovered_file = files.front();
-  model_->status.recovery_text = "\"" + origin.title + "\" has changes of " + origin.time + (origin.path.empty() ? ", never saved to a file." : " that are not in " + origin.path + ".");
+  const std::string when = origin.time.empty() ? "" : ", last changed " + platform::local_time(origin.time) + ",";
+  const std::string where = origin.path.empty() ? " was never saved to a file." : " has changes that are not in " + origin.path + ".";
+  model_->status.recovery_text = "\"" + origin.title + "\"" + when + where;
   model_->view.dialog = ui::Dialog::recover;
 }
 
@@ -131,7 +145,10 @@ void Desk::refresh_status() {
   s.jobs = m.jobs.views();
   s.notices = m.notices.all();
   s.working_folder = m.preferences.working_folder.empty() ? s.home_folder : m.preferences.working_folder;
+  s.project_folder = project_folder(m.document);
+  if (s.project_folder.empty()) s.project_folder = s.working_folder;
   s.places.clear();
+  if (s.project_folder != m.preferences.working_folder) s.places.push_back(s.project_folder);
   if (!m.preferences.working_folder.empty()) s.places.push_back(m.preferences.working_folder);
   s.charts = m.charts.views();
   m.viewport.describe(m.document, m.view, s);
@@ -170,6 +187,20 @@ void Desk::drop(const std::vector<std::string>& paths) {
 
 void Desk::ask_to_close() {
   leave_then(*model_, [this] { model_->wants_close = true; });
+}
+
+void Desk::keep_unsaved_work() {
+  WindowModel& m = *model_;
+  if (!parts_->autosave) return;
+  while (m.jobs.is_busy(JobLane::keeper)) {
+    m.jobs.wait_for_news();
+    m.jobs.poll();
+  }
+  parts_->autosave->tend(m);
+  while (m.jobs.is_busy(JobLane::keeper)) {
+    m.jobs.wait_for_news();
+    m.jobs.poll();
+  }
 }
 
 bool Desk::wants_close() const { return model_->wants_close; }

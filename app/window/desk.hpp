@@ -32,6 +32,7 @@ class Desk {
   void drop(const std::vector<std::string>& paths);  ///< files dropped on the window
   void ask_to_close();
   bool wants_close() const;
+  void keep_unsaved_work();  ///< the process has to end now: the last change is in the autosave when this returns
   void remember(int width, int height, bool maximised);  ///< writes the preferences
 
   WindowModel& model() { return *model_; }

@@ -14,31 +14,6 @@ namespace fs = std::filesystem;
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
-void remember_folder(WindowModel& m, const std::string& path) {
-  std::error_code error;
-  const fs::path folder = fs::is_directory(path, error) && !fs::exists(fs::path(path) / "trajectory.txt", error) ? fs::path(path) : fs::path(path).parent_path();
-  if (!folder.empty()) m.preferences.working_folder = fs::absolute(folder, error).string();
-}
-
-JobVerdict take_surveys(WindowModel& m, ReadSurveys read, const std::string& what) {
-  m.notices.add_issues(read.inventories.empty() ? "Nothing could be read from " + what : "Read " + what + " with remarks", read.issues);
-  if (read.inventories.empty()) return {false, "no usable row"};
-  const std::size_t count = read.inventories.size();
-  std::size_t stems = 0;
-  std::vector<CommandPtr> commands;
-  for (Inventory& inventory : read.inventories) {
-    stems += inventory.stems.size();
-    commands.push_back(add_inventory(std::move(inventory)));
-  }
-  if (count == 1) {
-    m.execute(std::move(commands.front()));
-  } else {
-    m.execute(group("Add " + ui::plural(static_cast<std::int64_t>(count), "inventory", "inventories"), std::move(commands)));
-  }
-  m.view.selected_inventory = m.document.state().inventories.back()->id;
-  return {true, ui::plural(static_cast<std::int64_t>(count), "inventory", "inventories") + " with " + ui::plural(static_cast<std::int64_t>(stems), "stem", "stems")};
-}
-
 void reset_view(WindowModel& m) {
   m.view.selected_tree = {};
   m.view.selected_stem = {};
@@ -47,6 +22,7 @@ void reset_view(WindowModel& m) {
   m.view.only_fate.reset();
   m.view.tool = ui::Tool::select;
   m.rough_poses.clear();
+  m.walk = {};
 }
 
 void show_fitting_step(WindowModel& m) {
@@ -72,7 +48,7 @@ JobVerdict take_project(WindowModel& m, const std::string& path, Result<ProjectS
 
 JobVerdict take_saved(WindowModel& m, const std::string& path, std::uint64_t revision, const Result<Done>& written) {
   if (!written) {
-    m.notices.add_issues(file_name(path) + " could not be written; the project is unchanged", written.issues);
+    m.notices.add_issues(file_name(path) + " could not be written; nothing is lost", written.issues);
     m.leaves_after_saving = false;
     return {false, "not written"};
   }
@@ -93,34 +69,38 @@ JobVerdict tell_written(WindowModel& m, const std::string& path, const Result<Do
   return {true, "written to " + path};
 }
 
+void start_export(WindowModel& m, const ui::request::Export& what) {
+  m.jobs.start<Result<Done>>(
+      "Export " + file_name(what.path), JobLane::person,
+      [what, state = m.document.state()](const Progress& progress) {
+        progress.at(0.1, "Writing " + file_name(what.path));
+        return write_export(state, what);
+      },
+      [&m, path = what.path](Result<Done> written) { return tell_written(m, path, written); });
+}
+
+void start_report(WindowModel& m, const ui::request::WriteReport& what) {
+  m.jobs.start<Result<Done>>(
+      "Write " + file_name(what.path), JobLane::person,
+      [what, state = m.document.state()](const Progress& progress) {
+        progress.at(0.1, "Writing " + file_name(what.path));
+        return write_growth_report(state, what);
+      },
+      [&m, path = what.path](Result<Done> written) { return tell_written(m, path, written); });
+}
+
 }  // namespace
+
+void remember_folder(WindowModel& m, const std::string& path) {
+  std::error_code error;
+  const fs::path folder = fs::is_directory(path, error) && !fs::exists(fs::path(path) / "trajectory.txt", error) ? fs::path(path) : fs::path(path).parent_path();
+  if (!folder.empty()) m.preferences.working_folder = fs::absolute(folder, error).string();
+}
 
 void new_project(WindowModel& m) {
   m.document.replace(ProjectState{}, "", true);
   reset_view(m);
   m.view.step = ui::Step::inventories;
-}
-
-void add_inventories(WindowModel& m, const std::vector<std::string>& paths) {
-  if (paths.empty()) return;
-  remember_folder(m, paths.front());
-  const std::string what = paths.size() == 1 ? file_name(paths.front()) : ui::plural(static_cast<std::int64_t>(paths.size()), "file", "files");
-  m.view.step = ui::Step::inventories;
-  m.jobs.start<ReadSurveys>(
-      "Read " + what, JobLane::person, [paths](const Progress& progress) { return read_surveys(paths, progress); },
-      [&m, what](ReadSurveys read) { return take_surveys(m, std::move(read), what); });
-}
-
-void add_demo(WindowModel& m) {
-  m.jobs.start<ReadSurveys>(
-      "Make the demo", JobLane::person, [](const Progress& progress) { return make_demo(progress); },
-      [&m](ReadSurveys read) {
-        new_project(m);
-        const JobVerdict verdict = take_surveys(m, std::move(read), "the demo");
-        if (verdict.good) m.execute(set_title("Demo forest"));
-        m.view.step = ui::Step::align;
-        return verdict;
-      });
 }
 
 void open_project(WindowModel& m, const std::string& path) {
@@ -155,25 +135,11 @@ void save_as(WindowModel& m, const std::string& given) {
 }
 
 void export_layer(WindowModel& m, const ui::request::Export& what) {
-  remember_folder(m, what.path);
-  m.jobs.start<Result<Done>>(
-      "Export " + file_name(what.path), JobLane::person,
-      [what, state = m.document.state()](const Progress& progress) {
-        progress.at(0.1, "Writing " + file_name(what.path));
-        return write_export(state, what);
-      },
-      [&m, path = what.path](Result<Done> written) { return tell_written(m, path, written); });
+  write_over(m, what.path, [&m, what] { start_export(m, what); });
 }
 
 void write_report(WindowModel& m, const ui::request::WriteReport& what) {
-  remember_folder(m, what.path);
-  m.jobs.start<Result<Done>>(
-      "Write " + file_name(what.path), JobLane::person,
-      [what, state = m.document.state()](const Progress& progress) {
-        progress.at(0.1, "Writing " + file_name(what.path));
-        return write_growth_report(state, what);
-      },
-      [&m, path = what.path](Result<Done> written) { return tell_written(m, path, written); });
+  write_over(m, what.path, [&m, what] { start_report(m, what); });
 }
 
 void leave_then(WindowModel& m, std::function<void()> next) {
@@ -197,11 +163,12 @@ void answer_leave(WindowModel& m, bool save_first) {
 
 void answer_recovery(WindowModel& m, bool bring_back) {
   m.view.dialog = ui::Dialog::none;
-  const std::string file = std::exchange(m.recovered_file, "");
   if (!bring_back) {
-    discard_autosave(file);
+    ask(m, {"Throw the unsaved work away?", m.status.recovery_text + " It cannot be brought back afterwards.", "Throw it away", "Keep it"},
+        [&m] { discard_autosave(std::exchange(m.recovered_file, "")); }, [&m] { m.view.dialog = ui::Dialog::recover; });
     return;
   }
+  const std::string file = std::exchange(m.recovered_file, "");
   m.jobs.start<Result<ProjectState>>(
       "Bring back unsaved work", JobLane::person, [file](const Progress&) { return read_project_file(file); },
       [&m, file](Result<ProjectState> read) -> JobVerdict {

@@ -23,12 +23,17 @@ ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& 
     const auto share = [&](double k) { return (static_cast<double>(i) + k) / static_cast<double>(paths.size()); };
     progress.at(share(0.0), "Reading " + file_name(paths[i]));
     Result<Inventory> one = read_inventory(paths[i]);
-    read.issues.insert(read.issues.end(), one.issues.begin(), one.issues.end());
-    if (!one) continue;
-    *one = with_global_stems(std::move(*one), {}, progress.stage(share(0.3), share(1.0)));
-    read.inventories.push_back(std::move(*one));
+    if (one) *one = with_global_stems(std::move(*one), {}, progress.stage(share(0.3), share(1.0)));
+    read.push_back({paths[i], std::move(one)});
   }
   return read;
+}
+
+Result<Inventory> read_survey_in_unit(const std::string& path, const std::string& column, const std::string& unit, const Progress& progress) {
+  progress.at(0.1, "Reading " + file_name(path));
+  ReadOptions options;
+  options.units[column] = unit;
+  return read_inventory(path, options);
 }
 
 ReadSurveys make_demo(const Progress& progress) {
@@ -38,7 +43,7 @@ ReadSurveys make_demo(const Progress& progress) {
   ReadSurveys demo;
   for (SimulatedSurvey& survey : forest.surveys) {
     survey.inventory.source.format = "simulated";
-    demo.inventories.push_back(std::move(survey.inventory));
+    demo.push_back({"", std::move(survey.inventory)});
   }
   return demo;
 }

@@ -12,12 +12,15 @@ namespace stemwise {
 
 // What jobs of the window do with files: the same code as the command line's, on values only.
 
-struct ReadSurveys {
-  std::vector<Inventory> inventories;  ///< those with a usable row, in the order given
-  Issues issues;
+struct ReadSurvey {
+  std::string path;
+  Result<Inventory> inventory;  ///< with what was to say about it
 };
-/// Reads files and folders, each ready to be aligned. Throws Cancelled.
+using ReadSurveys = std::vector<ReadSurvey>;
+/// Reads files and folders in the order given, each ready to be aligned. Throws Cancelled.
 ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& progress);
+/// One of them again, with the unit of a column told: `column` and `unit` are the words of `--unit`.
+Result<Inventory> read_survey_in_unit(const std::string& path, const std::string& column, const std::string& unit, const Progress& progress);
 /// The simulated forest of the demo, surveyed in three years.
 ReadSurveys make_demo(const Progress& progress);
 

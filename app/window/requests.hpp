@@ -11,7 +11,8 @@ void answer(WindowModel& model, const ui::Request& request);
 void run_action(WindowModel& model, ui::ActionId action);
 
 // Trees and matches (review_requests.cpp).
-void select_tree(WindowModel& model, TreeId tree, bool fly);
+/// `stem` none: the later stem of the match that is in doubt.
+void select_tree(WindowModel& model, TreeId tree, bool fly, StemRef stem = {});
 void click_stem(WindowModel& model, const render::Pick& pick);
 void go_to_doubtful(WindowModel& model, bool forward);
 void accept_selected(WindowModel& model);
@@ -21,10 +22,13 @@ void start_linking(WindowModel& model);
 void link(WindowModel& model, StemRef from, StemRef to);
 void set_selected_fate(WindowModel& model, std::optional<Fate> fate);
 
-// Files (file_requests.cpp).
-void new_project(WindowModel& model);
+// Surveys (survey_requests.cpp).
 void add_inventories(WindowModel& model, const std::vector<std::string>& paths);
 void add_demo(WindowModel& model);
+
+// Files (file_requests.cpp).
+void remember_folder(WindowModel& model, const std::string& path);  ///< where the next file dialog starts
+void new_project(WindowModel& model);
 void open_project(WindowModel& model, const std::string& path);
 void save(WindowModel& model);
 void save_as(WindowModel& model, const std::string& path);
@@ -34,6 +38,13 @@ void write_report(WindowModel& model, const ui::request::WriteReport& what);
 void leave_then(WindowModel& model, std::function<void()> next);
 void answer_leave(WindowModel& model, bool save_first);
 void answer_recovery(WindowModel& model, bool bring_back);
+
+// Questions and choices (questions.cpp).
+void ask(WindowModel& model, ui::Question question, std::function<void()> yes, std::function<void()> no = {});
+void answer_question(WindowModel& model, bool yes);
+/// Runs `write` at once for a new file, after asking for another one. A Stemwise project is never written over: that is
+/// refused with a notice.
+void write_over(WindowModel& model, const std::string& path, std::function<void()> write);
 
 // Alignment (align_requests.cpp).
 void run_alignment(WindowModel& model);

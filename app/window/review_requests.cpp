@@ -30,13 +30,28 @@ void after_edit(WindowModel& m, StemRef stem) {
   m.view.selected_tree = m.document.state().tree_of(stem);
 }
 
+/// The later stem of the match that is in doubt: what Unlink takes out, and whose match Accept and Reject decide on.
+StemRef doubtful_stem(const WindowModel& m, TreeId tree) {
+  const ui::Derived& derived = m.document.derived();
+  const QueueRow* doubt = derived.doubt(tree);
+  return doubt != nullptr && doubt->match ? derived.tables.matches[*doubt->match].b : StemRef{};
+}
+
+void show_tree(WindowModel& m, TreeId tree, bool fly, StemRef stem) {
+  const ProjectState& state = m.document.state();
+  const bool known = state.trees.contains(tree);
+  m.view.selected_tree = known ? tree : TreeId{};
+  if (stem.index < 0) stem = doubtful_stem(m, tree);
+  m.view.selected_stem = known && stem.index >= 0 && state.tree_of(stem) == tree ? stem : StemRef{};
+  if (known && fly) m.viewport.fly_to(tree, !m.view.reduce_motion);
+}
+
 }  // namespace
 
-void select_tree(WindowModel& m, TreeId tree, bool fly) {
-  const bool known = m.document.state().trees.contains(tree);
-  m.view.selected_tree = known ? tree : TreeId{};
-  if (!known || m.document.state().tree_of(m.view.selected_stem) != tree) m.view.selected_stem = {};
-  if (known && fly) m.viewport.fly_to(tree, !m.view.reduce_motion);
+void select_tree(WindowModel& m, TreeId tree, bool fly, StemRef stem) {
+  show_tree(m, tree, fly, stem);
+  const QueueRow* doubt = m.document.derived().doubt(m.view.selected_tree);
+  if (doubt != nullptr && !doubt->decided) m.walk.stand_on(*doubt, true);
 }
 
 void click_stem(WindowModel& m, const render::Pick& pick) {
@@ -44,31 +59,30 @@ void click_stem(WindowModel& m, const render::Pick& pick) {
     link(m, m.view.link_from, pick.stem);
     return;
   }
-  select_tree(m, pick.tree, false);
-  m.view.selected_stem = pick.stem;
+  // The stems of one tree lie over each other: the first click means the tree and what is in doubt about it, another one the stem.
+  const QueueRow* doubt = m.document.derived().doubt(pick.tree);
+  const bool first = pick.tree && pick.tree != m.view.selected_tree && doubt != nullptr && !doubt->decided && m.view.hidden.empty();
+  select_tree(m, pick.tree, false, first ? StemRef{} : pick.stem);
+  if (!pick.tree) m.view.selected_stem = pick.stem;
 }
 
 void go_to_doubtful(WindowModel& m, bool forward) {
   const std::vector<QueueRow>& queue = m.document.derived().tables.queue;
   if (queue.empty()) return;
-  const auto n = static_cast<std::ptrdiff_t>(queue.size());
-  const auto here = std::find_if(queue.begin(), queue.end(), [&](const QueueRow& row) { return row.tree == m.view.selected_tree; });
-  const std::ptrdiff_t step = forward ? 1 : -1;
-  std::ptrdiff_t at = here == queue.end() ? (forward ? -1 : 0) : here - queue.begin();
+  const auto to = forward ? m.walk.next(queue) : m.walk.previous(queue);
   m.view.step = ui::Step::review;
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    at = (at + step + n) % n;
-    const QueueRow& row = queue[static_cast<std::size_t>(at)];
-    if (row.decided || row.tree == m.view.selected_tree) continue;
-    select_tree(m, row.tree, true);
+  if (!to) {
+    m.notices.add(Severity::note, "Every doubtful tree is decided");
     return;
   }
-  m.notices.add(Severity::note, "Every doubtful tree is decided");
+  m.walk.stand_on(queue[*to], !forward);
+  show_tree(m, queue[*to].tree, true, {});
 }
 
 void accept_selected(WindowModel& m) {
-  const MatchRow* match = ui::match_to_decide(m.document.derived(), m.view.selected_tree);
+  const MatchRow* match = ui::match_to_decide(m.document.derived(), m.view);
   const TreeRow* tree = m.document.derived().tree(m.view.selected_tree);
+  m.walk.decided(m.view.selected_tree);
   if (match != nullptr) {
     m.execute(accept_match(match->a, match->b, stamp_now()));
   } else if (tree != nullptr) {
@@ -77,8 +91,9 @@ void accept_selected(WindowModel& m) {
 }
 
 void reject_selected(WindowModel& m) {
-  const MatchRow* match = ui::match_to_decide(m.document.derived(), m.view.selected_tree);
+  const MatchRow* match = ui::match_to_decide(m.document.derived(), m.view);
   if (match == nullptr) return;
+  m.walk.decided(m.view.selected_tree);
   const StemRef kept = match->a;
   m.execute(reject_match(match->a, match->b, stamp_now()));
   after_edit(m, kept);
@@ -87,6 +102,7 @@ void reject_selected(WindowModel& m) {
 void unlink_selected(WindowModel& m) {
   const StemRef stem = ui::unlink_target(m.document.state(), m.view);
   if (stem.index < 0) return;
+  m.walk.decided(m.view.selected_tree);
   m.execute(unlink_stem(stem, stamp_now()));
   after_edit(m, stem);
 }

@@ -6,11 +6,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 
+#include "app/exit_code.hpp"
 #include "app/platform/folders.hpp"
 #include "app/window/desk.hpp"
 #include "app/window/gl_target.hpp"
@@ -103,16 +105,27 @@ void write_registry(const std::string& path, const Desk& desk, std::string& writ
   written = std::move(now);
 }
 
-void loop(const GlfwWindow& window, Desk& desk, const WindowOptions& options) {
+/// Until an event, for `wait_s` at most, or until the process was asked to end. True after an event.
+bool wait_for_event(double wait_s, const std::atomic<bool>& interrupted) {
+  constexpr double slice_s = 0.25;
+  for (; wait_s > 0.0 && !interrupted; wait_s -= slice_s) {
+    const double slice = std::min(wait_s, slice_s), before = glfwGetTime();
+    glfwWaitEventsTimeout(slice);
+    if (glfwGetTime() - before < slice * 0.98) return true;
+  }
+  return false;
+}
+
+void loop(const GlfwWindow& window, Desk& desk, const WindowOptions& options, const std::atomic<bool>& interrupted) {
   double last = glfwGetTime();
   int frames_after_event = 3;
   std::string registry, title;
-  while (!desk.wants_close()) {
+  while (!desk.wants_close() && !interrupted) {
     // Sleeps while nothing happens: an idle window costs nothing.
     const double wait = frames_after_event > 0 ? 0.0 : desk.seconds_to_next_frame();
-    const double before = glfwGetTime();
-    wait > 0.0 ? glfwWaitEventsTimeout(wait) : glfwPollEvents();
-    const bool event = wait > 0.0 && glfwGetTime() - before < wait * 0.98;
+    if (wait <= 0.0) glfwPollEvents();
+    const bool event = wait_for_event(wait, interrupted);
+    if (interrupted) break;
     frames_after_event = event ? 3 : std::max(0, frames_after_event - 1);
     const double now = glfwGetTime();
     draw_frame(window, desk, now - last);
@@ -122,7 +135,7 @@ void loop(const GlfwWindow& window, Desk& desk, const WindowOptions& options) {
   }
 }
 
-int run_on_display(const WindowOptions& options) {
+int run_on_display(const WindowOptions& options, const std::atomic<bool>& interrupted) {
   const std::string config = platform::config_folder();
   const Preferences remembered = read_preferences(config + "/window.json");
   const GlfwWindow window(options.width > 0 ? options.width : remembered.width, options.height > 0 ? options.height : remembered.height,
@@ -136,16 +149,19 @@ int run_on_display(const WindowOptions& options) {
   glfwSetWindowUserPointer(window.handle(), &desk);
   glfwSetDropCallback(window.handle(), on_drop);
   glfwSetWindowCloseCallback(window.handle(), on_close);
-  loop(window, desk, options);
+  loop(window, desk, options, interrupted);
+  if (interrupted) desk.keep_unsaved_work();
   int width = 0, height = 0;
   glfwGetWindowSize(window.handle(), &width, &height);
   desk.remember(width, height, glfwGetWindowAttrib(window.handle(), GLFW_MAXIMIZED) == GLFW_TRUE);
   desk.model().jobs.on_news(nullptr);
-  return 0;
+  return interrupted ? static_cast<int>(ExitCode::interrupted) : 0;
 }
 
 }  // namespace
 
-int run_window(const WindowOptions& options) { return options.script.empty() ? run_on_display(options) : run_window_script(options); }
+int run_window(const WindowOptions& options, const std::atomic<bool>& interrupted) {
+  return options.script.empty() ? run_on_display(options, interrupted) : run_window_script(options);
+}
 
 }  // namespace stemwise

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct WindowOptions {
 };
 
 /// The desktop window until it is closed. What the process exits with; messages go to stderr where no window can be made.
-int run_window(const WindowOptions& options);
+/// Once `interrupted` is set it ends as soon as unsaved work is in the autosave.
+int run_window(const WindowOptions& options, const std::atomic<bool>& interrupted);
 
 }  // namespace stemwise

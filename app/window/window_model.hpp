@@ -9,6 +9,7 @@
 #include "app/window/job_runner.hpp"
 #include "app/window/notice_list.hpp"
 #include "app/window/preferences.hpp"
+#include "app/window/review_walk.hpp"
 #include "app/window/viewport_host.hpp"
 #include "core/survey/align_surveys.hpp"
 #include "ui/actions/action.hpp"
@@ -26,9 +27,11 @@ struct WindowModel {
   NoticeList notices;
   ViewportHost viewport;
   ChartHost charts;
+  ReviewWalk walk;                                 ///< through the queue, by N and P
   float scale = 1.0f;                              ///< of the interface just now
   std::vector<AlignHints::RoughPose> rough_poses;  ///< given by a person, for every later run
   std::function<void()> after_leaving;             ///< what waits until changes are saved or given up
+  std::function<void()> on_yes, on_no;             ///< of the question that is asked
   bool leaves_after_saving = false;
   std::optional<std::chrono::steady_clock::time_point> saved_at;
   std::string autosave_folder;

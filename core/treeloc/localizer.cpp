@@ -26,7 +26,7 @@ std::vector<Localization> localize_all(const Localizer& localizer, std::span<con
       found[q] = worker->localize(queries[q], scene_limits.empty() ? QueryWorker::all_scenes : scene_limits[q]);
     }
     done += end - block * per_block;
-    progress.at(static_cast<double>(done) / static_cast<double>(queries.size()), "Localising");
+    progress.at(static_cast<double>(done) / static_cast<double>(queries.size()), "recognising places");
   });
   return found;
 }

@@ -253,11 +253,26 @@ class ChartPainter {
     for (const ChartBand& band : chart_.bands) {
       const TextStyle words{11.0, Weight::regular, colours_.secondary, Align::right, (band.is_on_x ? colours_.accent_soft : colours_.panel).with_alpha(0.7)};
       if (band.is_on_x) {
-        canvas_.text(x_px(std::min(band.high, chart_.x.high)) - 5.0, layout_.low_px.y() + 10.0, band.label, words);
+        band_label_on_x(band, words);
       } else {
         canvas_.text(layout_.high_px.x() - 6.0, y_px(std::min(band.high, chart_.y.high)) + 9.0, band.label, words);
       }
     }
+  }
+
+  /// At the right edge of its band, or beside it where a rule would run through the words.
+  void band_label_on_x(const ChartBand& band, TextStyle words) const {
+    const double right = x_px(std::min(band.high, chart_.x.high)) - 5.0;
+    const double width = canvas_.text_width(band.label, words), y = layout_.low_px.y() + 10.0;
+    const auto crosses = [&](const ChartRule& rule) { return rule.is_on_x && x_px(rule.at) > right - width - 4.0 && x_px(rule.at) < right + 4.0; };
+    const bool room_beside = right + 10.0 + width < layout_.high_px.x();
+    if (!room_beside || std::none_of(chart_.rules.begin(), chart_.rules.end(), crosses)) {
+      canvas_.text(right, y, band.label, words);
+      return;
+    }
+    words.align = Align::left;
+    words.halo = colours_.panel.with_alpha(0.7);
+    canvas_.text(right + 10.0, y, band.label, words);
   }
 
   const Canvas& canvas_;

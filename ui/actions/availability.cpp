@@ -52,10 +52,12 @@ void tree_reasons(Reasons& r, const Project& project, const Derived& derived, co
             review_ingrowth, review_clear_fate},
            "Select a tree first");
   if (!chosen) return;
-  const MatchRow* match = match_to_decide(derived, view.selected_tree);
+  const MatchRow* match = match_to_decide(derived, view);
   const TreeRow* row = derived.tree(view.selected_tree);
   const bool fate_to_confirm = row != nullptr && derived.doubt(view.selected_tree) != nullptr;
   r.unless(match != nullptr || fate_to_confirm, {review_accept}, "This tree has no match to accept");
+  const bool fate_in_doubt = match == nullptr && fate_to_confirm && tree->second.stems.size() >= 2;
+  r.unless(!fate_in_doubt, {review_reject}, "The doubt is about the tree's fate: set it in the menu Review, or click a stem in its history first");
   r.unless(match != nullptr, {review_reject}, "This tree has no match to reject");
   r.unless(match == nullptr || match->state != MatchState::accepted, {review_accept}, "It is accepted already");
   r.unless(tree->second.stems.size() >= 2, {review_unlink}, "This tree was seen in one survey only: there is nothing to unlink");

@@ -96,11 +96,30 @@ void draw_recovery(Widgets& w, Frame& frame) {
   const Modal modal(w, "Bring back unsaved work?", 460.0f, 0.0f, open);
   if (!modal) return;
   w.paragraph(frame.status.recovery_text, TextRole::body);
-  w.paragraph("Stemwise did not close in the usual way. What was kept by autosave can be opened; your project file is as you last saved it.", TextRole::body, Tone::secondary);
+  w.paragraph("Stemwise did not close in the usual way, but autosave has kept your work. Bringing it back changes no file of yours; undo starts anew from there.",
+              TextRole::body, Tone::secondary);
   w.gap(8);
+  const Rect row = w.next_rect(w.available_width(), w.px(30));
   if (w.button("recover/yes", "Bring it back", {.primary = true})) frame.requests.emit(request::Recover{true});
+  const float width = w.px(132);  // far from the other one: what is thrown away is gone
+  if (w.button_in({row.right() - width, row.y, width, row.height}, "recover/no", "Throw it away…")) frame.requests.emit(request::Recover{false});
+}
+
+void draw_question(Widgets& w, Frame& frame) {
+  if (!frame.status.question) {
+    frame.view.dialog = Dialog::none;
+    return;
+  }
+  const Question& question = *frame.status.question;
+  bool open = true;
+  const Modal modal(w, question.title.c_str(), 460.0f, 0.0f, open);
+  if (!open) frame.requests.emit(request::AnswerQuestion{false});
+  if (!modal) return;
+  w.paragraph(question.text, TextRole::body);
+  w.gap(8);
+  if (w.button("question/no", question.no, {.primary = true})) frame.requests.emit(request::AnswerQuestion{false});
   ImGui::SameLine();
-  if (w.button("recover/no", "Throw it away")) frame.requests.emit(request::Recover{false});
+  if (w.button("question/yes", question.yes)) frame.requests.emit(request::AnswerQuestion{true});
 }
 
 void draw_leave(Widgets& w, Frame& frame) {

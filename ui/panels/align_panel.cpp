@@ -38,6 +38,7 @@ void AlignPanel::draw_run(Widgets& w, Frame& frame) {
   const JobView* job = frame.status.running();
   if (job == nullptr) {
     w.action_button("align/run", ActionId::align_run, frame.available, frame.requests, {.primary = true, .width = -1.0f});
+    draw_last_run(w, frame);
     return;
   }
   w.text(job->title, TextRole::strong);
@@ -47,6 +48,17 @@ void AlignPanel::draw_run(Widgets& w, Frame& frame) {
   w.text(job->stage + (job->left_s ? ", " + duration_text(*job->left_s) + " left" : ""), TextRole::table, Tone::secondary);
   w.record_last("align/stage", job->stage);
   if (w.button("align/cancel", "Cancel", {.width = -1.0f})) frame.requests.emit(request::CancelJob{job->id});
+}
+
+/// A run that came to nothing says so where it was started.
+void AlignPanel::draw_last_run(Widgets& w, const Frame& frame) {
+  const auto& jobs = frame.status.jobs;
+  if (jobs.empty() || !jobs.front().title.starts_with("Align ")) return;
+  const JobView& job = jobs.front();
+  const bool cancelled = job.state == JobView::State::cancelled;
+  if (!cancelled && job.state != JobView::State::failed) return;
+  w.paragraph(cancelled ? "Cancelled. Nothing was changed." : job.outcome, TextRole::table, cancelled ? Tone::secondary : Tone::warning);
+  w.record_last("align/last_run", cancelled ? "cancelled" : job.outcome);
 }
 
 void AlignPanel::draw_settings(Widgets& w, Frame& frame) {
@@ -75,7 +87,8 @@ void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventor
   w.text_in({head.x + w.px(12), head.y, head.width * 0.6f, head.height}, inventory.name, TextRole::strong, Tone::text);
   const std::string status = reference ? "reference" : it == state.alignments.end() ? "not aligned yet" : to_string(it->second.status);
   const bool bad = it != state.alignments.end() && (it->second.status == AlignmentStatus::failed || it->second.status == AlignmentStatus::probable);
-  w.text_in({head.x, head.y, head.width, head.height}, status == "failed" ? "refused" : status, TextRole::table, bad ? Tone::warning : reference ? Tone::secondary : Tone::accent, Align::right);
+  const bool good = !reference && it != state.alignments.end() && it->second.status == AlignmentStatus::aligned;
+  w.text_in({head.x, head.y, head.width, head.height}, status == "failed" ? "refused" : status, TextRole::table, bad ? Tone::warning : good ? Tone::accent : Tone::secondary, Align::right);
   w.record("align/status/" + inventory.name, head, status);
   if (reference || it == state.alignments.end()) return;
   const InventoryAlignment& a = it->second;

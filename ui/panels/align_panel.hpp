@@ -11,6 +11,7 @@ class AlignPanel {
 
  private:
   void draw_run(Widgets& w, Frame& frame);
+  void draw_last_run(Widgets& w, const Frame& frame);
   void draw_settings(Widgets& w, Frame& frame);
   void draw_result(Widgets& w, Frame& frame, const Inventory& inventory);
   void draw_rescue(Widgets& w, Frame& frame, const Inventory& inventory);

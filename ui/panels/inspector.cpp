@@ -12,6 +12,9 @@
 namespace stemwise::ui {
 namespace {
 
+constexpr double neighbours_within_m = 3.0;
+constexpr std::size_t most_neighbours = 5;
+
 std::array<Rect, 4> history_columns(const Rect& row) {
   const float widths[] = {0.235f, 0.24f, 0.245f, 0.28f};
   std::array<Rect, 4> cells;
@@ -84,13 +87,21 @@ void Inspector::draw_head(Widgets& w, Frame& frame, const TreeRow& tree) {
 
 void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
   const QueueRow* doubt = frame.derived.doubt(tree.tree);
-  const MatchRow* match = match_to_decide(frame.derived, tree.tree);
+  const MatchRow* match = match_to_decide(frame.derived, frame.view);
   const bool decided = doubt == nullptr || doubt->decided;
+  const MatchRow* doubted = doubt != nullptr && doubt->match ? &frame.tables().matches[*doubt->match] : nullptr;
   if (match != nullptr) {
     const std::string state = match->state == MatchState::automatic ? "" : std::string(" · ") + to_string(match->state) + " by hand";
     w.text("Confidence " + fixed(match->confidence, 2) + state, TextRole::strong, decided ? Tone::accent : Tone::warning);
+    const std::string pair = stem_label(frame.state(), match->a) + " and " + stem_label(frame.state(), match->b);
+    w.paragraph(pair, TextRole::table, Tone::text);
+    w.record_last("review/pair", pair);
   }
-  std::string why = doubt != nullptr ? doubt->why : match != nullptr ? "no other tree fits; nothing speaks against it" : "seen in one survey only";
+  std::string why = match != nullptr ? "no other tree fits; nothing speaks against it" : "seen in one survey only";
+  if (doubt != nullptr) why = doubt->why;
+  if (!decided && doubted != nullptr && doubted != match) {
+    why = "in doubt is " + stem_label(frame.state(), doubted->a) + " and " + stem_label(frame.state(), doubted->b) + ": " + why;
+  }
   for (const std::string& flag : tree.flags) why += "; " + flag;
   w.paragraph(why, TextRole::table, Tone::secondary);
 }
@@ -112,9 +123,14 @@ void Inspector::draw_sighting(Widgets& w, Frame& frame, const ObservationRow& ro
   w.hairline(rect.x, rect.y, rect.right(), rect.y + 1);
   const std::string label = stem_label(frame.state(), row.stem);
   const bool target = unlink_target(frame.state(), frame.view) == row.stem;
-  if (target) w.fill({rect.x - w.px(6), rect.y + 1, rect.width + w.px(12), rect.height - 1}, w.tokens().accent_soft, w.px(4));
-  if (w.area("review/history/" + label, rect, label)) frame.view.selected_stem = row.stem;
-  if (ImGui::IsItemHovered()) w.tooltip(target ? "Unlink takes this stem out of the tree" : "Click: Unlink takes out this stem");
+  const MatchRow* match = match_to_decide(frame.derived, frame.view);
+  const bool in_pair = match != nullptr && (match->a == row.stem || match->b == row.stem);
+  const Rect mark{rect.x - w.px(6), rect.y + 1, rect.width + w.px(12), rect.height - 1};
+  if (target) w.fill(mark, w.tokens().accent_soft, w.px(4));
+  if (in_pair) w.fill({mark.x, mark.y, w.px(3), mark.height}, w.tokens().accent);
+  if (w.area("review/history/" + label, rect, target ? "taken out by Unlink" : in_pair ? "of the pair" : "")) frame.view.selected_stem = row.stem;
+  const char* pair = in_pair ? "Accept and Reject decide on the two marked stems. " : "";
+  if (ImGui::IsItemHovered()) w.tooltip(std::string(pair) + (target ? "Unlink takes this stem out of the tree." : "Click: decide on this stem instead."));
   const std::array<Rect, 4> cells = history_columns(rect);
   w.text_in(cells[0], survey_label(frame.state(), row.stem.inventory), TextRole::table, Tone::text);
   const std::string error = row.dbh_m && row.dbh_error_m ? " ± " + fixed(*row.dbh_error_m * 100.0, 1) : "";
@@ -137,31 +153,60 @@ void Inspector::draw_buttons(Widgets& w, Frame& frame) {
   w.action_button_in({block.x + half + gap, second, half, height}, "review/unlink", ActionId::review_unlink, frame.available, frame.requests);
 }
 
+void Inspector::find_neighbours(const Frame& frame, const TreeRow& tree) {
+  if (neighbours_at_ == frame.derived.revision && neighbours_of_ == tree.tree) return;
+  neighbours_at_ = frame.derived.revision;
+  neighbours_of_ = tree.tree;
+  neighbours_.clear();
+  const std::vector<const ObservationRow*> own = frame.derived.sightings(tree.tree);
+  if (own.empty()) return;
+  for (const ObservationRow& row : frame.tables().observations) {
+    const auto same_survey = [&](const ObservationRow* o) { return o->stem.inventory == row.stem.inventory; };
+    if (row.tree == tree.tree || std::any_of(own.begin(), own.end(), same_survey)) continue;
+    const double distance_m = (row.position_m - own.back()->position_m).head<2>().norm();
+    if (distance_m > neighbours_within_m) continue;
+    const auto match = frame.state().matches.find(ordered(own.back()->stem, row.stem));
+    neighbours_.push_back({own.back()->stem, row.stem, distance_m, match != frame.state().matches.end() && !match->second.joins()});
+  }
+  std::sort(neighbours_.begin(), neighbours_.end(), [](const Neighbour& a, const Neighbour& b) { return a.distance_m < b.distance_m; });
+  if (neighbours_.size() > most_neighbours) neighbours_.resize(most_neighbours);
+}
+
+void Inspector::draw_alternative(Widgets& w, Frame& frame, const Neighbour& stem, bool current) {
+  const Rect row = w.next_rect(w.available_width(), w.px(24));
+  const Stem* found = frame.state().find(stem.to);
+  const std::string label = stem_label(frame.state(), stem.to);
+  if (w.area("review/alternative/" + label, row, distance_text(stem.distance_m)) && !current) frame.requests.emit(request::LinkStems{stem.from, stem.to});
+  const std::string hint = stem.rejected ? "Rejected by hand. Click: link it after all" : "Click: link " + stem_label(frame.state(), stem.from) + " to this stem";
+  if (ImGui::IsItemHovered()) w.tooltip(current ? "The stem it is matched with" : hint);
+  const Tone tone = current ? Tone::accent : stem.rejected ? Tone::secondary : Tone::text;
+  w.text_in({row.x, row.y, row.width * 0.46f, row.height}, label + (stem.rejected ? " (rejected)" : ""), TextRole::table, tone);
+  w.text_in({row.x + row.width * 0.48f, row.y, w.px(70), row.height}, distance_text(stem.distance_m), TextRole::table, Tone::text);
+  w.text_in({row.right() - w.px(80), row.y, w.px(80), row.height}, found != nullptr && found->dbh_m ? dbh_text(found->dbh_m) + " cm" : dash, TextRole::table, Tone::text,
+            Align::right);
+}
+
 void Inspector::draw_alternatives(Widgets& w, Frame& frame, const TreeRow& tree) {
   w.section("Alternatives");
+  find_neighbours(frame, tree);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  int shown = 0;
-  const auto line = [&](const StemRef& from, const StemRef& to, double distance_m, bool current) {
-    const Rect row = w.next_rect(w.available_width(), w.px(24));
-    const Stem* stem = frame.state().find(to);
-    const std::string label = stem_label(frame.state(), to);
-    if (w.area("review/alternative/" + label, row, label) && !current) frame.requests.emit(request::LinkStems{from, to});
-    if (ImGui::IsItemHovered()) w.tooltip(current ? "The stem it is matched with" : "Click: link " + stem_label(frame.state(), from) + " to this stem instead");
-    w.text_in({row.x, row.y, row.width * 0.46f, row.height}, label, TextRole::table, current ? Tone::accent : Tone::text);
-    w.text_in({row.x + row.width * 0.48f, row.y, w.px(70), row.height}, distance_text(distance_m), TextRole::table, Tone::text);
-    w.text_in({row.right() - w.px(80), row.y, w.px(80), row.height}, stem != nullptr && stem->dbh_m ? dbh_text(stem->dbh_m) + " cm" : dash, TextRole::table, Tone::text, Align::right);
-    ++shown;
+  std::vector<StemRef> shown;
+  const auto line = [&](const Neighbour& stem, bool current) {
+    if (std::find(shown.begin(), shown.end(), stem.to) != shown.end()) return;
+    shown.push_back(stem.to);
+    draw_alternative(w, frame, stem, current);
   };
   for (const MatchRow* row : frame.derived.matches_of(tree.tree)) {
     if (row->state == MatchState::rejected) continue;
-    line(row->a, row->b, row->distance_m, true);
+    line({row->a, row->b, row->distance_m, false}, true);
     const auto it = frame.state().matches.find(ordered(row->a, row->b));
     if (it == frame.state().matches.end() || !it->second.second_choice) continue;
     const StemRef other = *it->second.second_choice;
-    line(other.inventory == row->a.inventory ? row->b : row->a, other, it->second.second_distance_m.value_or(0.0), false);
+    line({other.inventory == row->a.inventory ? row->b : row->a, other, it->second.second_distance_m.value_or(0.0), false}, false);
   }
+  for (const Neighbour& stem : neighbours_) line(stem, false);
   ImGui::PopStyleVar();
-  if (shown == 0) w.text("none within reach", TextRole::table, Tone::secondary);
+  if (shown.empty()) w.text("No stem of another survey within " + fixed(neighbours_within_m, 0) + " m", TextRole::table, Tone::secondary);
 }
 
 void Inspector::draw_note(Widgets& w, Frame& frame, const TreeRow& tree) {

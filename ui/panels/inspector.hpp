@@ -19,6 +19,18 @@ class Inspector {
   void draw_alternatives(Widgets& w, Frame& frame, const TreeRow& tree);
   void draw_note(Widgets& w, Frame& frame, const TreeRow& tree);
 
+  /// A stem of another survey that stands near.
+  struct Neighbour {
+    StemRef from, to;
+    double distance_m = 0.0;
+    bool rejected = false;  ///< by hand
+  };
+  void find_neighbours(const Frame& frame, const TreeRow& tree);
+  void draw_alternative(Widgets& w, Frame& frame, const Neighbour& stem, bool current);
+
+  std::uint64_t neighbours_at_ = ~0ULL;  ///< revision of the tables that they are of
+  TreeId neighbours_of_;
+  std::vector<Neighbour> neighbours_;
   TreeId noted_;        ///< the tree whose note is in the field
   std::string note_;
 };

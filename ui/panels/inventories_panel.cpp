@@ -95,7 +95,7 @@ void InventoriesPanel::draw_card(Widgets& w, Frame& frame, const Inventory& inve
   const float x = card.x + w.px(16);
   const float width = card.width - w.px(52);
   const float name_width = std::min(w.text_width(inventory.name, TextRole::head) + 1, width * 0.62f);
-  w.text_in({x, card.y + w.px(7), name_width, w.px(20)}, inventory.name, TextRole::head, Tone::text);
+  w.text_in({x, card.y + w.px(7), name_width, w.px(20)}, w.middle_shortened(inventory.name, TextRole::head, name_width), TextRole::head, Tone::text);
   if (inventory.date) {
     w.text_in({x + name_width + w.px(8), card.y + w.px(8), width - name_width - w.px(8), w.px(20)}, date_text(*inventory.date), TextRole::table,
               Tone::secondary);
@@ -120,12 +120,20 @@ void InventoriesPanel::draw_fates(Widgets& w, Frame& frame) {
   const Tables& tables = frame.tables();
   if (tables.inventories.size() < 2) return;
   const ProjectState& state = frame.state();
-  w.section("Fate of stems, " + survey_label(state, tables.inventories[tables.inventories.size() - 2]) + " to " + survey_label(state, tables.inventories.back()));
+  const std::string from = survey_label(state, tables.inventories[tables.inventories.size() - 2]);
+  const std::string to = survey_label(state, tables.inventories.back());
+  w.gap(8);
+  w.paragraph("Fate of stems, " + from + " to " + to, TextRole::strong);
+  w.record_last("fates/head", from + " to " + to);
+  if (ImGui::IsItemHovered()) w.tooltip("What became of each tree between the last two surveys, " + from + " and " + to + ". Trees that neither of them saw are counted apart.");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t i = 0; i < fate_count; ++i) {
     const auto fate = static_cast<Fate>(i);
-    const int count = tables.trees_by_fate[i];
+    const int count = frame.derived.last_step_fates[i];
     if (count > 0 || (fate != Fate::dead && fate != Fate::removed)) draw_fate(w, frame, fate, count);
+  }
+  if (frame.derived.seen_before_only > 0) {
+    w.fact("fates/seen_before", "Last seen before " + from, count_text(frame.derived.seen_before_only), "Seen in neither " + from + " nor " + to + ".");
   }
   ImGui::PopStyleVar();
 }
@@ -166,8 +174,7 @@ void InventoriesPanel::draw_compare(Widgets& w, Frame& frame) {
   const int current = last_hidden && !first_hidden ? 0 : first_hidden && !last_hidden ? 2 : 1;
   const std::array<std::string, 3> names{survey_label(frame.state(), first), "Both", survey_label(frame.state(), last)};
   const float third = (row.width - w.px(70)) / 3.0f;
-  const bool fit = std::max(w.text_width(names[0], TextRole::strong), w.text_width(names[2], TextRole::strong)) < third - w.px(10);
-  const std::array<std::string, 3> labels = fit ? names : std::array<std::string, 3>{"Earlier", "Both", "Later"};
+  const std::array<std::string, 3> labels{w.middle_shortened(names[0], TextRole::strong, third - w.px(11)), names[1], w.middle_shortened(names[2], TextRole::strong, third - w.px(11))};
   for (int i = 0; i < 3; ++i) {
     const Rect rect{row.x + w.px(70) + third * static_cast<float>(i), row.y, third - w.px(2), row.height};
     if (!w.button_in(rect, "view/compare/" + std::to_string(i), labels[static_cast<std::size_t>(i)],
@@ -197,7 +204,11 @@ void InventoriesPanel::draw_alignment(Widgets& w, Frame& frame) {
   } else {
     w.fact("alignment/second_best", "Second-best pose", second_best_words(a.acceptance), "How well the next different pose fits. In a planted grid many poses fit.");
     w.fact("alignment/observed", "Observed", observed_words(a.observed), "Which of the six degrees of freedom the data decided; the others stay zero.");
-    w.fact("alignment/overlap", "Matched in overlap", percent_text(a.overlap, 1));
+    const auto shared = frame.derived.in_overlap.find(shown);
+    const bool counted = shared != frame.derived.in_overlap.end() && shared->second.stems > 0;
+    w.fact("alignment/overlap", "Matched in overlap", counted ? percent_text(static_cast<double>(shared->second.matched) / shared->second.stems, 1) : dash,
+           counted ? count_text(shared->second.matched) + " of its " + count_text(shared->second.stems) + " stems that stand where another survey looked too were found there."
+                   : "No other survey looked where this one did.");
     w.fact("alignment/noise", "Position noise", distance_text(a.position_noise_m), "One-axis standard deviation of the matched stems' positions.");
   }
   ImGui::PopStyleVar();

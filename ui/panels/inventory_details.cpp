@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "ui/text/format.hpp"
@@ -17,7 +18,10 @@ void InventoryDetails::draw(Widgets& w, Frame& frame) {
   w.text(inventory->name, TextRole::title);
   w.record_last("details/name", inventory->name);
   w.text(inventory->id == state.reference ? "The reference: all others are aligned to it" : "Will be aligned to the reference", TextRole::table, Tone::secondary);
-  if (counts_.id != inventory->id) count(*inventory);
+  if (counts_.id != inventory->id || counts_.revision != frame.revision) {
+    count(*inventory);
+    counts_.revision = frame.revision;
+  }
   draw_facts(w, *inventory);
   draw_date(w, frame, *inventory);
   w.section("How it was read");
@@ -36,7 +40,7 @@ void InventoryDetails::draw(Widgets& w, Frame& frame) {
 
 void InventoryDetails::count(const Inventory& inventory) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  counts_ = {inventory.id, 0, 0, 0, 0, inf, -inf, inf, -inf, 0.0};
+  counts_ = {~0ULL, inventory.id, 0, 0, 0, 0, inf, -inf, inf, -inf, 0.0};
   for (const Stem& s : inventory.stems) {
     counts_.with_dbh += s.dbh_m ? 1 : 0;
     counts_.with_z += s.z_m ? 1 : 0;
@@ -70,8 +74,9 @@ void InventoryDetails::draw_facts(Widgets& w, const Inventory& inventory) {
 }
 
 void InventoryDetails::draw_date(Widgets& w, Frame& frame, const Inventory& inventory) {
-  if (dated_ != inventory.id) {
+  if (dated_ != inventory.id || dated_at_ != frame.revision) {
     dated_ = inventory.id;
+    dated_at_ = frame.revision;
     date_ = inventory.date ? to_string(*inventory.date) : "";
     date_problem_.clear();
   }
@@ -88,23 +93,36 @@ void InventoryDetails::draw_date(Widgets& w, Frame& frame, const Inventory& inve
 
 void InventoryDetails::draw_first_rows(Widgets& w, const Inventory& inventory) {
   w.section("First rows as understood");
-  const char* names[] = {"Id", "x, m", "y, m", "DBH, cm", "Species"};
-  const float shares[] = {0.15f, 0.19f, 0.19f, 0.17f, 0.3f};
   const std::size_t rows = std::min<std::size_t>(inventory.stems.size(), 5);
+  const auto text_of = [&](std::size_t r, std::size_t c) -> std::string {
+    static constexpr const char* names[] = {"Id", "x, m", "y, m", "DBH, cm", "Species"};
+    if (r == 0) return names[c];
+    const Stem& s = inventory.stems[r - 1];
+    switch (c) {
+      case 0: return s.source_id;
+      case 1: return grouped(s.x_m, 2);
+      case 2: return grouped(s.y_m, 2);
+      case 3: return dbh_text(s.dbh_m);
+      default: return s.species.empty() ? dash : s.species;
+    }
+  };
+  // Numbers get the width they need, also those of UTM; ids and species share the rest.
+  std::array<float, 5> widths{};
+  for (std::size_t c = 1; c < 4; ++c) {
+    for (std::size_t r = 0; r <= rows; ++r) widths[c] = std::max(widths[c], w.text_width(text_of(r, c), r == 0 ? TextRole::caption : TextRole::table) + w.px(9));
+  }
+  const float rest = std::max(w.px(60), w.available_width() - widths[1] - widths[2] - widths[3]);
+  widths[0] = 0.34f * rest;
+  widths[4] = 0.66f * rest;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t r = 0; r <= rows; ++r) {
     const Rect line = w.next_rect(w.available_width(), w.px(22));
     float x = line.x;
     for (std::size_t c = 0; c < 5; ++c) {
-      std::string text = names[c];
-      if (r > 0) {
-        const Stem& s = inventory.stems[r - 1];
-        const std::string cells[] = {s.source_id, grouped(s.x_m, 2), grouped(s.y_m, 2), dbh_text(s.dbh_m), s.species.empty() ? dash : s.species};
-        text = cells[c];
-      }
-      const Rect cell{x, line.y, line.width * shares[c] - w.px(6), line.height};
-      w.text_in(cell, text, r == 0 ? TextRole::caption : TextRole::table, r == 0 ? Tone::secondary : Tone::text, c > 0 && c < 4 ? Align::right : Align::left);
-      x += line.width * shares[c] + (c == 3 ? w.px(6) : 0.0f);
+      const bool number = c > 0 && c < 4;
+      const Rect cell{x + (c == 4 ? w.px(9) : 0.0f), line.y, widths[c] - (c == 4 ? w.px(9) : number ? 0.0f : w.px(2)), line.height};
+      w.text_in(cell, text_of(r, c), r == 0 ? TextRole::caption : TextRole::table, r == 0 ? Tone::secondary : Tone::text, number ? Align::right : Align::left);
+      x += widths[c];
     }
     if (r > 0) w.hairline(line.x, line.y, line.right(), line.y + 1);
     ImGui::Dummy({line.width, line.height});

@@ -16,12 +16,14 @@ class InventoryDetails {
   void count(const Inventory& inventory);
 
   struct Counts {
+    std::uint64_t revision = ~0ULL;  ///< counted again after every change: an id can come back with other rows
     InventoryId id;
     std::size_t with_dbh = 0, with_z = 0, with_axis = 0, reconstructed = 0;
     double min_x = 0, max_x = 0, min_y = 0, max_y = 0, mean_dbh_m = 0;
   };
   Counts counts_;
   InventoryId dated_;
+  std::uint64_t dated_at_ = ~0ULL;
   std::string date_;
   std::string date_problem_;
 };

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "ui/panels/toasts.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise::ui {
@@ -42,13 +45,15 @@ void JobsTab::draw(Widgets& w, Frame& frame) {
 }
 
 void JobsTab::draw_job(Widgets& w, Frame& frame, const JobView& job) {
-  const Rect row = w.next_rect(w.available_width(), w.px(44));
-  ImGui::Dummy({row.width, row.height});
   const bool running = job.state == JobView::State::running;
   const bool failed = job.state == JobView::State::failed;
-  const Rect words{row.x, row.y, row.width - w.px(running ? 200 : 8), w.px(20)};
+  const float width = w.available_width() - w.px(running ? 200 : 8);
+  const float lines_high = std::max(w.px(18), w.wrapped_height(state_words(job), TextRole::table, width));
+  const Rect row = w.next_rect(w.available_width(), w.px(26) + lines_high);
+  ImGui::Dummy({row.width, row.height});
+  const Rect words{row.x, row.y, width, w.px(20)};
   w.text_in(words, job.title, TextRole::strong, Tone::text);
-  w.text_in({row.x, row.y + w.px(20), words.width, w.px(18)}, state_words(job), TextRole::table, failed ? Tone::error : Tone::secondary);
+  w.wrapped_in({row.x, row.y + w.px(21), words.width, lines_high}, state_words(job), TextRole::table, failed ? Tone::error : Tone::secondary);
   w.record("jobs/" + std::to_string(job.id), row, state_words(job));
   if (!running) return;
   w.progress_bar({row.right() - w.px(184), row.y + w.px(17), w.px(110), w.px(7)}, job.fraction);
@@ -60,11 +65,13 @@ void JobsTab::draw_job(Widgets& w, Frame& frame, const JobView& job) {
 }
 
 void JobsTab::draw_notice(Widgets& w, Frame& frame, const Notice& notice) {
-  const Rect row = w.next_rect(w.available_width(), w.px(24));
+  const float title_width = w.available_width() - w.px(56);
+  const float lines_high = w.wrapped_height(notice.title, TextRole::strong, title_width);
+  const Rect row = w.next_rect(w.available_width(), std::max(w.px(24), lines_high + w.px(6)));
   ImGui::Dummy({row.width, row.height});
   const char* mark = notice.severity == Severity::note ? icon::info : icon::warning;
-  w.text_in({row.x, row.y, w.px(18), row.height}, mark, TextRole::table, tone_of(notice.severity));
-  w.text_in({row.x + w.px(22), row.y, row.width - w.px(56), row.height}, notice.title, TextRole::strong, Tone::text);
+  w.text_in({row.x, row.y, w.px(18), w.px(24)}, mark, TextRole::table, tone_of(notice.severity));
+  w.wrapped_in({row.x + w.px(22), row.y + w.px(4), title_width, lines_high}, notice.title, TextRole::strong, Tone::text);
   w.record("notices/" + std::to_string(notice.id), row, notice.title);
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   if (w.button_in({row.right() - w.px(26), row.y, w.px(24), w.px(24)}, "notices/dismiss/" + std::to_string(notice.id), "", {.quiet = true, .icon = icon::cross, .tooltip = "Put this notice away"})) {
@@ -77,6 +84,7 @@ void JobsTab::draw_notice(Widgets& w, Frame& frame, const Notice& notice) {
     if (++shown > 200) break;
     w.paragraph(to_string(issue), TextRole::table, Tone::secondary);
   }
+  draw_choices(w, frame, notice, "notices");
   if (notice.details.size() > 200) w.text("and " + count_text(static_cast<std::int64_t>(notice.details.size()) - 200) + " more", TextRole::table, Tone::secondary);
   ImGui::Unindent(w.px(22));
 }

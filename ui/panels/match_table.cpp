@@ -106,8 +106,7 @@ void MatchTable::draw(Widgets& w, Frame& frame) {
   table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame.state(), all[rows_[row]], column); };
   table.selected = [&](std::size_t row) { return all[rows_[row]].tree == frame.view.selected_tree; };
   table.clicked = [&](std::size_t row) {
-    frame.view.selected_stem = all[rows_[row]].b;
-    frame.requests.emit(request::SelectTree{all[rows_[row]].tree});
+    frame.requests.emit(request::SelectTree{all[rows_[row]].tree, true, all[rows_[row]].b});
   };
   table.sorted = [&](std::size_t column, bool ascending) {
     wanted_.column = column;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/text/format.hpp"
+#include "ui/text/georeference_words.hpp"
 
 namespace stemwise::ui {
 namespace {
@@ -28,7 +29,10 @@ void labelled_number(Widgets& w, const char* path, const char* name, double& val
   w.number(path, value, format);
 }
 
-std::string problem_of(const Georeference& g) {
+/// Why there is nothing to do with what the form says; "" when there is.
+std::string problem_of(const Georeference& g, const Georeference& now) {
+  if (g.origin == Geodetic{} && g.azimuth_deg == 0.0) return "Enter where the reference's origin lies first.";
+  if (now.kind == GeoreferenceKind::anchor && g.origin == now.origin && g.azimuth_deg == now.azimuth_deg && g.sd_m == now.sd_m) return "The project lies there already.";
   if (std::abs(g.origin.latitude_deg) > 90.0) return "A latitude lies between −90° and 90°.";
   if (std::abs(g.origin.longitude_deg) > 180.0) return "A longitude lies between −180° and 180°.";
   if (g.azimuth_deg < -360.0 || g.azimuth_deg > 360.0) return "An azimuth lies between 0° and 360°.";
@@ -70,7 +74,7 @@ void MergePanel::draw_fusion(Widgets& w, Frame& frame) {
 void MergePanel::draw_place(Widgets& w, Frame& frame) {
   w.section("Place on the earth");
   const Georeference& now = frame.state().georeference;
-  const std::string state = now.kind == GeoreferenceKind::none ? "Not georeferenced: exports carry local coordinates." : "Georeferenced by " + now.method + ".";
+  const std::string state = now.kind == GeoreferenceKind::none ? "Not georeferenced: exports carry local coordinates." : "Georeferenced by " + now.method + (crs_words(now) == now.method ? "" : ": " + crs_words(now)) + ".";
   w.paragraph(state, TextRole::table, now.kind == GeoreferenceKind::none ? Tone::secondary : Tone::accent);
   w.record_last("merge/place", state);
   const float half = 0.5f * (w.available_width() - w.px(8));
@@ -89,8 +93,9 @@ void MergePanel::draw_anchor(Widgets& w, Frame& frame) {
   labelled_number(w, "merge/azimuth", "Azimuth of the y axis, °", form_.azimuth_deg, "%.3f");
   labelled_number(w, "merge/sd", "Uncertainty (1 sd), m", form_.sd_m, "%.2f");
   w.paragraph("The position of the reference's origin; the azimuth counts clockwise from true north.", TextRole::caption, Tone::secondary);
-  const std::string problem = problem_of(form_);
-  if (!problem.empty()) w.paragraph(problem, TextRole::table, Tone::warning);
+  const std::string problem = problem_of(form_, frame.state().georeference);
+  const bool wrong = std::abs(form_.origin.latitude_deg) > 90.0 || std::abs(form_.origin.longitude_deg) > 180.0 || std::abs(form_.azimuth_deg) > 360.0;
+  if (wrong) w.paragraph(problem, TextRole::table, Tone::warning);
   if (w.button("merge/apply", "Place the project", {.primary = true, .width = -1.0f, .why_not = problem})) {
     Georeference g = form_;
     g.kind = GeoreferenceKind::anchor;
@@ -106,7 +111,10 @@ void MergePanel::draw_crs(Widgets& w, Frame& frame) {
   form_.epsg = static_cast<int>(epsg);
   w.paragraph("For example 25832 for ETRS89 / UTM zone 32N. Heights are kept.", TextRole::caption, Tone::secondary);
   const std::string problem = form_.epsg >= 1024 && form_.epsg <= 32767 ? "" : "An EPSG number has four or five digits, for example 25832.";
-  if (w.button("merge/apply", "Place the project", {.primary = true, .width = -1.0f, .why_not = problem})) {
+  const Georeference& now = frame.state().georeference;
+  const bool same = now.kind == GeoreferenceKind::crs && now.epsg == form_.epsg;
+  const std::string why_not = same ? "The project has this CRS already." : problem;
+  if (w.button("merge/apply", "Place the project", {.primary = true, .width = -1.0f, .why_not = why_not})) {
     Georeference g;
     g.kind = GeoreferenceKind::crs;
     g.epsg = form_.epsg;

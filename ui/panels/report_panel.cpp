@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "ui/text/format.hpp"
+#include "ui/text/georeference_words.hpp"
 
 namespace stemwise::ui {
 namespace {
@@ -40,10 +41,14 @@ std::string with_suffix(const std::string& path, const char* suffix) {
 std::string ReportPanel::suffix() const { return formats[format_].suffix; }
 
 void ReportPanel::start_paths(const Frame& frame) {
-  const std::filesystem::path folder = frame.status.working_folder;
+  const std::filesystem::path folder = frame.status.project_folder;
   const std::string title = frame.status.project_title.empty() ? "stemwise" : frame.status.project_title;
-  if (export_path_.empty()) export_path_ = (folder / (title + "-trees" + suffix())).string();
-  if (report_path_.empty()) report_path_ = (folder / (title + "-growth.html")).string();
+  const auto propose = [](std::string& field, std::string& proposed, const std::string& path) {
+    if (field.empty() || field == proposed) field = path;
+    proposed = path;
+  };
+  propose(export_path_, proposed_export_, (folder / (title + "-trees" + suffix())).string());
+  propose(report_path_, proposed_report_, (folder / (title + "-growth.html")).string());
 }
 
 void ReportPanel::draw(Widgets& w, Frame& frame) {
@@ -88,7 +93,7 @@ void ReportPanel::draw_crs(Widgets& w, const Frame& frame) {
   const Georeference& g = frame.state().georeference;
   const bool placed = g.kind != GeoreferenceKind::none;
   w.text("Coordinates", TextRole::table, Tone::secondary);
-  const std::string own = placed ? (g.kind == GeoreferenceKind::anchor ? "UTM zone of the project" : "EPSG:" + std::to_string(g.epsg)) : "Local (metres)";
+  const std::string own = placed ? crs_words(g) : "Local (metres)";
   w.combo("export/crs", {own, "WGS 84 (longitude, latitude)", "Other EPSG number"}, crs_);
   if (crs_ == 2) w.number("export/epsg", epsg_, "%.0f");
   if (!placed && (crs_ != 0 || suffix() == ".geojson" || suffix() == ".kml")) {

@@ -25,8 +25,8 @@ class ReportPanel {
   double epsg_ = 25832;
   bool decimal_comma_ = false;
   bool semicolon_ = false;
-  std::string export_path_;
-  std::string report_path_;
+  std::string export_path_, report_path_;
+  std::string proposed_export_, proposed_report_;  ///< for the open project; in the fields until a person writes something else
   double area_ha_ = 0.0;
 };
 

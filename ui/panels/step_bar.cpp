@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ui/text/format.hpp"
+#include "ui/text/georeference_words.hpp"
 
 namespace stemwise::ui {
 namespace {
@@ -50,7 +51,7 @@ StepBar::StepText StepBar::text_of(const Frame& frame, Step step) const {
     }
     case Step::merge: {
       const bool placed = state.georeference.kind != GeoreferenceKind::none;
-      return {"Merge and georeference", placed ? state.georeference.method : "local coordinates", placed};
+      return {"Merge and georeference", placed ? crs_words(state.georeference) : "local coordinates", placed};
     }
     case Step::report: return {"Report and export", "trees, matches, growth", false};
   }
@@ -93,7 +94,7 @@ void StepBar::draw_step(Widgets& w, Frame& frame, Step step, const StepText& tex
   const auto number = std::to_string(static_cast<int>(step));
   const auto id = static_cast<ActionId>(static_cast<int>(ActionId::step_inventories) + static_cast<int>(step) - 1);
   if (w.area("steps/" + number, rect, text.state)) frame.requests.run(id);
-  if (ImGui::IsItemHovered()) w.tooltip(std::string(action(id).help) + "  (" + number + ")");
+  if (ImGui::IsItemHovered()) w.tooltip_at(rect.x, rect.bottom() + w.px(8), std::string(action(id).help) + "  (" + number + ")");
 
   const float radius = w.px(12);
   const ImVec2 center{rect.x + w.px(10) + radius, rect.center_y()};

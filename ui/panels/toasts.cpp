@@ -19,18 +19,28 @@ void draw_toast(Widgets& w, Frame& frame, const Notice& notice, float right, flo
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                  ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin(id.c_str(), nullptr, flags)) {
-    const Rect head = w.next_rect(w.available_width(), w.px(22));
+    const float title_width = w.available_width() - w.px(52);
+    const float lines_high = w.wrapped_height(notice.title, TextRole::strong, title_width);
+    const Rect head = w.next_rect(w.available_width(), std::max(w.px(22), lines_high + w.px(4)));
     const Tone tone = notice.severity == Severity::error ? Tone::error : notice.severity == Severity::warning ? Tone::warning : Tone::accent;
-    w.text_in({head.x, head.y, w.px(18), head.height}, notice.severity == Severity::note ? icon::info : icon::warning, TextRole::body, tone);
-    w.text_in({head.x + w.px(24), head.y, head.width - w.px(52), head.height}, notice.title, TextRole::strong, Tone::text);
+    w.text_in({head.x, head.y, w.px(18), w.px(22)}, notice.severity == Severity::note ? icon::info : icon::warning, TextRole::body, tone);
+    w.wrapped_in({head.x + w.px(24), head.y + w.px(3), title_width, lines_high}, notice.title, TextRole::strong, Tone::text);
     w.record("toast/" + std::to_string(notice.id), head, notice.title);
     if (w.button_in({head.right() - w.px(22), head.y, w.px(22), w.px(22)}, "toast/dismiss/" + std::to_string(notice.id), "", {.quiet = true, .icon = icon::cross})) {
       frame.requests.emit(request::DismissNotice{notice.id});
     }
-    // A mere note does not cover the map: its details are in the table below.
-    const std::size_t lines = notice.severity == Severity::note ? 0 : std::min<std::size_t>(notice.details.size(), 2);
+    ImGui::SetCursorScreenPos({head.x, head.bottom() + w.px(4)});
+    // A mere note does not cover the map: the rest of its details is in the table below.
+    const std::size_t lines = std::min<std::size_t>(notice.details.size(), notice.severity == Severity::note ? 1 : 2);
     for (std::size_t i = 0; i < lines; ++i) w.paragraph(to_string(notice.details[i]), TextRole::table, Tone::secondary);
-    if (notice.details.size() > lines) w.text("more under Jobs and notices", TextRole::table, Tone::secondary);
+    draw_choices(w, frame, notice, "toast");
+    if (notice.details.size() > lines) {
+      const std::string more = std::to_string(notice.details.size() - lines) + " more under Jobs and notices";
+      if (w.button("toast/more/" + std::to_string(notice.id), more, {.quiet = true})) {
+        frame.view.tab = BottomTab::jobs;
+        frame.view.panels.show_bottom = true;
+      }
+    }
     bottom -= ImGui::GetWindowHeight() + w.px(8);
   }
   ImGui::End();
@@ -38,11 +48,19 @@ void draw_toast(Widgets& w, Frame& frame, const Notice& notice, float right, flo
 
 }  // namespace
 
+void draw_choices(Widgets& w, Frame& frame, const Notice& notice, const std::string& path) {
+  for (std::size_t i = 0; i < notice.choices.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, w.px(6));
+    const std::string button = path + "/choice/" + std::to_string(notice.id) + "/" + notice.choices[i];
+    if (w.button(button, notice.choices[i])) frame.requests.emit(request::NoticeChoice{notice.id, i});
+  }
+}
+
 void draw_toasts(Widgets& w, Frame& frame, const Rect& area) {
-  float bottom = area.bottom() - w.px(12);
+  float bottom = area.bottom() - w.px(56);  // above the map's scale bar
   int shown = 0;
   for (const Notice& notice : frame.status.notices) {
-    const double seconds = notice.severity == Severity::error ? error_seconds : note_seconds;
+    const double seconds = notice.severity == Severity::error || !notice.choices.empty() ? error_seconds : note_seconds;
     if (notice.age_s > seconds || ++shown > most) continue;
     draw_toast(w, frame, notice, area.right() - w.px(12), bottom);
   }

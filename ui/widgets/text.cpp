@@ -52,6 +52,35 @@ void Widgets::paragraph(const std::string& text, TextRole role, Tone tone) {
   ImGui::PopTextWrapPos();
 }
 
+float Widgets::wrapped_height(const std::string& text, TextRole role, float width_px) const {
+  ImFont* font = fonts.of(role);
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, width_px, text.data(), text.data() + text.size()).y;
+}
+
+void Widgets::wrapped_in(const Rect& rect, const std::string& text, TextRole role, Tone tone) {
+  ImFont* font = fonts.of(role);
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::round(rect.x), std::round(rect.y)}, color(tone).packed(), text.data(), text.data() + text.size(), rect.width);
+}
+
+std::string Widgets::middle_shortened(const std::string& text, TextRole role, float width_px) const {
+  if (text_width(text, role) <= width_px) return text;
+  const auto is_inside_character = [&](std::size_t i) { return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; };
+  std::size_t head = text.size() / 2, tail = head;
+  std::string shown = text;
+  while (head > 1 || text.size() - tail > 1) {
+    if (head >= text.size() - tail) {
+      do --head;
+      while (is_inside_character(head));
+    } else {
+      do ++tail;
+      while (is_inside_character(tail));
+    }
+    shown = text.substr(0, head) + ellipsis + text.substr(tail);
+    if (text_width(shown, role) <= width_px) break;
+  }
+  return shown;
+}
+
 void Widgets::section(const std::string& title) {
   gap(8);
   text(title, TextRole::strong);
@@ -92,6 +121,11 @@ void Widgets::text_in(const Rect& rect, const std::string& text, TextRole role, 
                                       shown.data() + shown.size());
   const ImVec2 mouse = ImGui::GetMousePos();
   if (!fits && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && rect.contains(mouse.x, mouse.y)) tooltip(text);
+}
+
+void Widgets::tooltip_at(float x, float y, const std::string& text) {
+  ImGui::SetNextWindowPos({x, y});
+  tooltip(text);
 }
 
 void Widgets::tooltip(const std::string& text) {

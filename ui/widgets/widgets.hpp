@@ -47,11 +47,16 @@ class Widgets {
   // Text
   void text(const std::string& text, TextRole role = TextRole::body, Tone tone = Tone::text);
   void paragraph(const std::string& text, TextRole role = TextRole::body, Tone tone = Tone::text);  ///< wraps at the right edge
+  /// The height that `text` needs in a column of this width, and the text itself there.
+  float wrapped_height(const std::string& text, TextRole role, float width_px) const;
+  void wrapped_in(const Rect& rect, const std::string& text, TextRole role, Tone tone);
   void section(const std::string& title);  ///< a head with air above
   /// Name left, value right-aligned, in one line of 24 px.
   void fact(const std::string& path, const std::string& name, const std::string& value, const std::string& tooltip = {});
   float text_width(const std::string& text, TextRole role) const;
   float line_height(TextRole role) const;
+  /// The text with its middle left out where it is wider: names that differ at their end stay different.
+  std::string middle_shortened(const std::string& text, TextRole role, float width_px) const;
   /// Fits the text into the rectangle; what does not fit ends with an ellipsis and is told in full on hover.
   void text_in(const Rect& rect, const std::string& text, TextRole role, Tone tone, Align align = Align::left);
   void text_in(const Rect& rect, const std::string& text, TextRole role, Color color, Align align = Align::left);
@@ -81,6 +86,7 @@ class Widgets {
   void hairline(float x0, float y0, float x1, float y1);
   void gap(float height_at_100_percent);
   void tooltip(const std::string& text);
+  void tooltip_at(float x, float y, const std::string& text);  ///< with its upper left corner there
   void push_font(TextRole role);
   void pop_font();
   float available_width() const;

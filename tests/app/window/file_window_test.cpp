@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "app/platform/folders.hpp"
+#include "tests/app/window/window_fixture.hpp"
+#include "ui/frame.hpp"
+
+namespace stemwise {
+namespace {
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST_F(WindowTest, AnExportOrReportNeverDestroysAProject) {
+  open_surveys();
+  const fs::path own = folder_ / "stand.gpkg", other = folder_ / "other.gpkg";
+  for (const fs::path& path : {other, own}) {
+    model().document.set_path(path.string());
+    window().press(ui::ActionId::file_save);
+    window().settle();
+  }
+  const std::string own_before = content(own), other_before = content(other);
+  ASSERT_FALSE(own_before.empty());
+  window().press(ui::ActionId::step_report);
+  window().frames(2);
+  for (const fs::path& path : {own, other}) {
+    model().notices.clear();
+    ASSERT_TRUE(window().fill("export/path", path.string()));
+    ASSERT_TRUE(window().click("export/run"));
+    window().settle();
+    ASSERT_FALSE(model().notices.all().empty());
+    EXPECT_EQ(model().notices.all().front().severity, Severity::error);
+    EXPECT_NE(model().notices.all().front().title.find(path.filename().string()), std::string::npos);
+    EXPECT_EQ(model().view.dialog, ui::Dialog::none);
+  }
+  model().notices.clear();
+  ASSERT_TRUE(window().fill("report/path", own.string()));
+  ASSERT_TRUE(window().click("report/run"));
+  window().settle();
+  ASSERT_FALSE(model().notices.all().empty());
+  EXPECT_EQ(content(own), own_before);
+  EXPECT_EQ(content(other), other_before);
+}
+
+TEST_F(WindowTest, AnExportOverAnotherFileAsksFirst) {
+  open_surveys();
+  const fs::path path = folder_ / "notes.csv";
+  std::ofstream(path) << "my own notes\n";
+  window().press(ui::ActionId::step_report);
+  window().frames(2);
+  ASSERT_TRUE(window().fill("export/path", path.string()));
+  ASSERT_TRUE(window().click("export/run"));
+  window().settle();
+  ASSERT_EQ(model().view.dialog, ui::Dialog::question);
+  ASSERT_TRUE(window().click("question/no"));
+  window().settle();
+  EXPECT_EQ(content(path), "my own notes\n");
+  EXPECT_EQ(model().view.dialog, ui::Dialog::none);
+  ASSERT_TRUE(window().click("export/run"));
+  window().settle();
+  ASSERT_TRUE(window().click("question/yes"));
+  window().settle();
+  EXPECT_TRUE(content(path).starts_with("tree_id,"));
+}
+
+TEST_F(WindowTest, FilesThatCannotBeReadAreNamedWhileTheOthersAreTaken) {
+  make_surveys();
+  std::ofstream(folder_ / "empty.csv") << "";
+  std::ofstream(folder_ / "words.csv") << "x_m,y_m,dbh_cm\n1,2,3\nhere,5,6\n";
+  std::ofstream(folder_ / "nothing.csv") << "x_m,y_m,dbh_cm\nhere,there,6\n";
+  std::vector<std::string> paths;
+  for (const char* name : {"2018.csv", "empty.csv", "words.csv", "nothing.csv", "2023.csv"}) paths.push_back((folder_ / name).string());
+  window().desk().drop(paths);
+  window().settle();
+  EXPECT_EQ(state().inventories.size(), 3u);
+  const auto& notices = model().notices.all();
+  const auto failed = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return n.severity == Severity::error; });
+  ASSERT_NE(failed, notices.end());
+  EXPECT_EQ(failed->title, "2 of 5 files could not be read: empty.csv, nothing.csv");
+  const auto names_place = [](const Issue& issue) { return issue.file.find("nothing.csv") != std::string::npos && issue.row == 2 && issue.column == "x_m"; };
+  EXPECT_TRUE(std::any_of(failed->details.begin(), failed->details.end(), names_place));
+  const auto remarked = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return n.title.starts_with("Read 3 files"); });
+  ASSERT_NE(remarked, notices.end());
+  EXPECT_NE(remarked->severity, Severity::error);
+  ASSERT_FALSE(remarked->details.empty());
+  EXPECT_EQ(remarked->details.front().row, 3);
+}
+
+TEST_F(WindowTest, AGuessedUnitIsAskedForAndTheFileReadAgain) {
+  std::ofstream file(folder_ / "plain.csv");
+  file << "x,y,dbh\n";
+  for (int i = 0; i < 40; ++i) file << i % 8 * 3 << "," << i / 8 * 4 << "," << 8 + i % 9 << "\n";
+  file.close();
+  window().desk().drop({(folder_ / "plain.csv").string()});
+  window().settle();
+  ASSERT_EQ(state().inventories.size(), 1u);
+  const double cm = *state().inventories.front()->stems.front().dbh_m;
+  const auto& notices = model().notices.all();
+  const auto asked = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return !n.choices.empty(); });
+  ASSERT_NE(asked, notices.end());
+  const int id = asked->id;
+  ASSERT_TRUE(window().click("toast/choice/" + std::to_string(id) + "/No, in"));
+  window().settle();
+  ASSERT_EQ(state().inventories.size(), 1u);
+  EXPECT_NEAR(*state().inventories.front()->stems.front().dbh_m, 2.54 * cm, 1e-9);
+  EXPECT_EQ(state().inventories.front()->name, "plain");
+  EXPECT_EQ(state().reference, state().inventories.front()->id);
+  window().press(ui::ActionId::edit_undo);
+  window().settle();
+  EXPECT_NEAR(*state().inventories.front()->stems.front().dbh_m, cm, 1e-12);
+}
+
+TEST_F(WindowTest, SurveysAreCalledByTheirYearOnlyWhenEachHasItsOwn) {
+  make_surveys();
+  fs::copy(folder_ / "2018.csv", folder_ / "bad.csv");
+  window().desk().drop({(folder_ / "bad.csv").string(), (folder_ / "2023.csv").string()});
+  window().settle();
+  ASSERT_EQ(state().inventories.size(), 2u);
+  const InventoryId bad = state().inventories[0]->id, later = state().inventories[1]->id;
+  model().execute(set_inventory_date(bad, date_from_civil(2018, 7, 1)));
+  model().execute(set_inventory_date(later, date_from_civil(2023, 7, 1)));
+  EXPECT_EQ(ui::survey_label(state(), bad), "2018");
+  model().execute(set_inventory_date(later, date_from_civil(2018, 8, 1)));
+  EXPECT_EQ(ui::survey_label(state(), bad), "bad");
+  model().execute(set_inventory_date(later, std::nullopt));
+  EXPECT_EQ(ui::survey_label(state(), bad), "bad");
+  EXPECT_EQ(ui::survey_label(state(), later), "2023");
+}
+
+TEST_F(WindowTest, ThrowingUnsavedWorkAwayAsksAndCanBeTakenBack) {
+  open_surveys();
+  const fs::path kept = folder_ / "config" / "autosave";
+  ASSERT_FALSE(fs::is_empty(kept));
+  fs::create_directories(folder_ / "config2");
+  fs::copy(kept, folder_ / "config2" / "autosave");
+  window_.reset();
+  const auto count = [&] { return std::distance(fs::directory_iterator(folder_ / "config2" / "autosave"), fs::directory_iterator()); };
+  for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
+    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": "", "title": "Stand", "time": "2026-11-22T05:00:30Z", "process": 2147483000})";
+  }
+  const auto before = count();
+  auto again = HeadlessWindow::create({.desk = {.paths = {}, .config_folder = (folder_ / "config2").string()}});
+  ASSERT_TRUE(again);
+  window_ = std::move(*again);
+  window().frames(3);
+  EXPECT_NE(model().status.recovery_text.find(platform::local_time("2026-11-22T05:00:30Z")), std::string::npos);
+  ASSERT_TRUE(window().click("recover/no"));
+  window().frames(3);
+  EXPECT_EQ(model().view.dialog, ui::Dialog::question);
+  EXPECT_EQ(count(), before);
+  ASSERT_TRUE(window().click("question/no"));
+  window().frames(3);
+  EXPECT_EQ(model().view.dialog, ui::Dialog::recover);
+  ASSERT_TRUE(window().click("recover/no"));
+  window().frames(3);
+  ASSERT_TRUE(window().click("question/yes"));
+  window().frames(3);
+  EXPECT_EQ(count(), 0);
+}
+
+}  // namespace
+}  // namespace stemwise

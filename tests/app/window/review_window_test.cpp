@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/window/review_walk.hpp"
+#include "ui/frame.hpp"
+#include "tests/app/window/window_fixture.hpp"
+
+namespace stemwise {
+namespace {
+
+QueueRow row(std::int64_t tree, double doubt, bool decided = false) { return {TreeId{tree}, 0, doubt, "", decided}; }
+
+TEST(ReviewWalk, GoesOnAfterARowThatWasDecidedAndMovedToTheEnd) {
+  ReviewWalk walk;
+  EXPECT_EQ(walk.next({row(1, 0.9), row(2, 0.8), row(3, 0.7)}), 0u);
+  walk.stand_on(row(2, 0.8), true);
+  walk.decided(TreeId{2});
+  EXPECT_EQ(walk.next({row(1, 0.9), row(3, 0.7), row(2, 0.8, true)}), 1u);
+}
+
+TEST(ReviewWalk, GoesOnFromWhereItWasWhenTheTreeEntersAgainWithAnotherDoubt) {
+  ReviewWalk walk;
+  walk.stand_on(row(2, 0.8), true);
+  walk.decided(TreeId{2});
+  EXPECT_EQ(walk.next({row(1, 0.9), row(3, 0.7), row(4, 0.6), row(2, 0.3)}), 1u);
+  EXPECT_EQ(walk.next({row(2, 0.95), row(1, 0.9), row(3, 0.7)}), 2u);
+}
+
+TEST(ReviewWalk, SeesAmongEqualDoubtsEachRowOnceAndThenStartsFromTheTop) {
+  const std::vector<QueueRow> queue{row(1, 0.3), row(2, 0.3), row(3, 0.3)};
+  ReviewWalk walk;
+  std::vector<std::int64_t> seen;
+  for (int i = 0; i < 4; ++i) {
+    const auto at = walk.next(queue);
+    ASSERT_TRUE(at);
+    walk.stand_on(queue[*at], false);
+    seen.push_back(queue[*at].tree.value);
+  }
+  EXPECT_EQ(seen, (std::vector<std::int64_t>{1, 2, 3, 1}));
+}
+
+TEST(ReviewWalk, SkipsWhatItHasSeenWhenDoubtsDriftALittle) {
+  ReviewWalk walk;
+  walk.stand_on(row(1, 0.500), false);
+  walk.stand_on(row(2, 0.499), false);
+  EXPECT_EQ(walk.next({row(2, 0.498), row(1, 0.497), row(3, 0.4)}), 2u);
+}
+
+TEST(ReviewWalk, GoesBackToTheRowBeforeAndKnowsWhenNothingIsLeft) {
+  ReviewWalk walk;
+  walk.stand_on(row(2, 0.8), false);
+  EXPECT_EQ(walk.previous({row(1, 0.9), row(2, 0.8), row(3, 0.7)}), 0u);
+  EXPECT_FALSE(walk.next({row(1, 0.9, true)}));
+  EXPECT_FALSE(walk.previous({}));
+}
+
+TEST_F(WindowTest, TenRowsDecidedByKeysOnlyComeInTheOrderOfTheirDoubt) {
+  open_surveys(400);
+  align();
+  const std::size_t at_first = model().document.derived().tables.queue.size();
+  ASSERT_GE(at_first, 12u);
+  double last_doubt = 2.0;
+  std::set<TreeId> seen;
+  const ui::ActionId decisions[] = {ui::ActionId::review_accept, ui::ActionId::review_reject, ui::ActionId::review_unlink};
+  int rejected = 0;
+  for (int i = 0; i < 10; ++i) {
+    window().press(ui::ActionId::review_next);
+    window().settle();
+    const TreeId tree = model().view.selected_tree;
+    const QueueRow* doubt = model().document.derived().doubt(tree);
+    ASSERT_NE(doubt, nullptr) << i;
+    EXPECT_FALSE(doubt->decided) << i;
+    EXPECT_TRUE(seen.insert(tree).second) << tree_label(tree) << " came twice";
+    EXPECT_LE(doubt->doubt, last_doubt) << i;
+    // Nothing in between was left out.
+    for (const QueueRow& other : model().document.derived().tables.queue) {
+      if (!other.decided && !seen.contains(other.tree)) EXPECT_FALSE(other.doubt > doubt->doubt && other.doubt < last_doubt) << tree_label(other.tree);
+    }
+    last_doubt = doubt->doubt;
+    ui::ActionId decision = decisions[i % 3];
+    if (!doubt->match) decision = ui::ActionId::review_accept;
+    rejected += decision == ui::ActionId::review_reject ? 1 : 0;
+    const std::size_t entries = state().edit_log.size();
+    window().press(decision);
+    window().settle();
+    EXPECT_EQ(state().edit_log.size(), entries + 1) << i;
+  }
+  EXPECT_GE(rejected, 1);
+}
+
+TEST_F(WindowTest, TheKeysActOnThePairWhoseDoubtIsShown) {
+  open_surveys(400, {2012, 2017, 2022});
+  align();
+  const Tables& tables = model().document.derived().tables;
+  // A tree seen three times whose doubt is about its first two sightings: not what would be taken without looking.
+  const auto found = std::find_if(tables.queue.begin(), tables.queue.end(), [&](const QueueRow& q) {
+    return q.match && !q.decided && state().trees.at(q.tree).stems.size() == 3 && tables.matches[*q.match].b.inventory != tables.inventories.back();
+  });
+  ASSERT_NE(found, tables.queue.end());
+  const TreeId tree = found->tree;
+  const MatchRow pair = tables.matches[*found->match];
+  while (model().view.selected_tree != tree) window().press(ui::ActionId::review_next);
+  window().settle();
+  EXPECT_EQ(model().view.selected_stem, pair.b);
+  EXPECT_EQ(window().value("review/pair"), ui::stem_label(state(), pair.a) + " and " + ui::stem_label(state(), pair.b));
+
+  window().press(ui::ActionId::review_unlink);
+  window().settle();
+  EXPECT_NE(state().tree_of(pair.b), tree);
+  EXPECT_EQ(state().tree_of(pair.a), tree);
+  window().press(ui::ActionId::edit_undo);
+  window().settle();
+
+  window().press(ui::ActionId::review_previous);
+  while (model().view.selected_tree != tree) window().press(ui::ActionId::review_next);
+  window().press(ui::ActionId::review_reject);
+  window().settle();
+  const auto match = state().matches.find(ordered(pair.a, pair.b));
+  ASSERT_NE(match, state().matches.end());
+  EXPECT_EQ(match->second.state, MatchState::rejected);
+}
+
+TEST_F(WindowTest, RightAfterUnlinkingTheStemThatStandsThereIsAnAlternative) {
+  open_surveys();
+  align();
+  const TreeId tree = lonely_matched_tree();
+  ASSERT_TRUE(tree);
+  click_in_map(tree);
+  const std::vector<StemRef> stems = state().trees.at(tree).stems;
+  ASSERT_EQ(stems.size(), 2u);
+  window().press(ui::ActionId::review_unlink);
+  window().settle();
+  const StemRef other = model().view.selected_stem == stems[0] ? stems[1] : stems[0];
+  ASSERT_TRUE(window().click("review/alternative/" + ui::stem_label(state(), other)));
+  window().settle();
+  EXPECT_EQ(state().tree_of(stems[0]), state().tree_of(stems[1]));
+}
+
+}  // namespace
+}  // namespace stemwise
