@@ -49,7 +49,9 @@ class OverlayPainter {
   void captions() const {
     for (const SideFrame& frame : scene_.side_frames) {
       const auto place = at({frame.low_m.x(), frame.high_m.y(), 0.0});
-      if (place) canvas_.text(place->x(), place->y() - 16.0, frame.caption, {12.5, Weight::semibold, frame.colour, Align::left, colours_.map});
+      const TextStyle words{12.5, Weight::semibold, frame.colour, Align::left, colours_.map};
+      const double last_x = width_ - margin - canvas_.text_width(frame.caption, words);
+      if (place && place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 16.0, frame.caption, words);
     }
   }
 

@@ -74,9 +74,9 @@ void read_again(WindowModel& m, const GuessedUnit& guess, const std::string& uni
 void ask_for_unit(WindowModel& m, const GuessedUnit& guess) {
   const std::string what = guess.column == "dbh" ? "DBH" : guess.column;
   std::vector<NoticeChoice> choices{{"Yes, " + guess.unit, {}}};
-  for (const char* unit : {"cm", "in", "mm", "m"}) {
+  for (const std::string unit : {"cm", "in", "mm", "m"}) {
     if (guess.unit == unit) continue;
-    choices.push_back({std::string("No, ") + unit, [&m, guess, unit = std::string(unit)] { read_again(m, guess, unit); }});
+    choices.push_back({"No, " + (unit == "in" ? "inch" : unit), [&m, guess, unit] { read_again(m, guess, unit); }});
   }
   Issue issue = guess.issue;
   issue.help = "The file will be read again with the unit that you choose";

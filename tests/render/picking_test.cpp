@@ -121,6 +121,23 @@ TEST(Camera, AFlightEndsAtTheTree) {
   EXPECT_NEAR(pixel->y(), 0.5 * size.height, 1e-6);
 }
 
+TEST(Camera, AnotherSizeFitsAgainUnlessAPersonMovedTheView) {
+  const DemoForest forest(100);
+  const PixelSize other{600, 420};
+  Viewport fitted = made(forest, ViewKind::map), moved = made(forest, ViewKind::map), fresh;
+  const double before = fitted.metres_per_px();
+  fitted.resize(other, 1.0);
+  fresh.resize(other, 1.0);
+  fresh.set_options(fitted.options());
+  fresh.sync(forest.state(), forest.tables(), 1);
+  EXPECT_DOUBLE_EQ(fitted.metres_per_px(), fresh.metres_per_px());
+  EXPECT_NE(fitted.metres_per_px(), before);
+  moved.zoom_at(300.0, 200.0, 2.0);
+  const double chosen = moved.metres_per_px();
+  moved.resize(other, 1.0);
+  EXPECT_DOUBLE_EQ(moved.metres_per_px(), chosen);
+}
+
 TEST(Camera, UtmSizedCoordinatesLoseNothing) {
   ProjectState state;
   Inventory inventory;

@@ -130,13 +130,13 @@ void Inspector::draw_sighting(Widgets& w, Frame& frame, const ObservationRow& ro
   if (in_pair) w.fill({mark.x, mark.y, w.px(3), mark.height}, w.tokens().accent);
   if (w.area("review/history/" + label, rect, target ? "taken out by Unlink" : in_pair ? "of the pair" : "")) frame.view.selected_stem = row.stem;
   const char* pair = in_pair ? "Accept and Reject decide on the two marked stems. " : "";
-  if (ImGui::IsItemHovered()) w.tooltip(std::string(pair) + (target ? "Unlink takes this stem out of the tree." : "Click: decide on this stem instead."));
+  if (ImGui::IsItemHovered()) w.tooltip(label + ". " + pair + (target ? "Unlink takes this stem out of the tree." : "Click: decide on this stem instead."));
   const std::array<Rect, 4> cells = history_columns(rect);
   w.text_in(cells[0], survey_label(frame.state(), row.stem.inventory), TextRole::table, Tone::text);
   const std::string error = row.dbh_m && row.dbh_error_m ? " ± " + fixed(*row.dbh_error_m * 100.0, 1) : "";
   w.text_in(cells[1], dbh_text(row.dbh_m) + error, TextRole::table, Tone::text);
   w.text_in(cells[2], row.residual_m ? residual_text(*row.residual_m) : dash, TextRole::table, Tone::text);
-  w.text_in(cells[3], label, TextRole::table, Tone::text);
+  w.text_in(cells[3], w.middle_shortened(label, TextRole::table, cells[3].width), TextRole::table, Tone::text);
 }
 
 void Inspector::draw_buttons(Widgets& w, Frame& frame) {
@@ -180,7 +180,7 @@ void Inspector::draw_alternative(Widgets& w, Frame& frame, const Neighbour& stem
   const std::string hint = stem.rejected ? "Rejected by hand. Click: link it after all" : "Click: link " + stem_label(frame.state(), stem.from) + " to this stem";
   if (ImGui::IsItemHovered()) w.tooltip(current ? "The stem it is matched with" : hint);
   const Tone tone = current ? Tone::accent : stem.rejected ? Tone::secondary : Tone::text;
-  w.text_in({row.x, row.y, row.width * 0.46f, row.height}, label + (stem.rejected ? " (rejected)" : ""), TextRole::table, tone);
+  w.text_in({row.x, row.y, row.width * 0.46f, row.height}, w.middle_shortened(label, TextRole::table, row.width * (stem.rejected ? 0.26f : 0.46f)) + (stem.rejected ? " (rejected)" : ""), TextRole::table, tone);
   w.text_in({row.x + row.width * 0.48f, row.y, w.px(70), row.height}, distance_text(stem.distance_m), TextRole::table, Tone::text);
   w.text_in({row.right() - w.px(80), row.y, w.px(80), row.height}, found != nullptr && found->dbh_m ? dbh_text(found->dbh_m) + " cm" : dash, TextRole::table, Tone::text,
             Align::right);

@@ -101,6 +101,7 @@ void MergePanel::draw_anchor(Widgets& w, Frame& frame) {
     g.kind = GeoreferenceKind::anchor;
     g.epsg = 0;
     g.method = "anchor";
+    g.residuals.clear();
     frame.requests.emit(request::SetGeoreference{g});
   }
 }

@@ -63,7 +63,7 @@ void ReportPanel::draw_export(Widgets& w, Frame& frame) {
   draw_format(w);
   draw_crs(w, frame);
   w.text("File", TextRole::table, Tone::secondary);
-  w.input("export/path", export_path_, {.width = w.available_width() - w.px(92)});
+  if (w.input("export/path", export_path_, {.width = w.available_width() - w.px(92)})) follow_suffix();
   ImGui::SameLine();
   if (w.button("export/browse", "Browse…", {.width = -1.0f})) frame.view.dialog = Dialog::export_path;
   const std::string& no_trees = frame.available[static_cast<std::size_t>(ActionId::export_run)].why_not;
@@ -71,6 +71,14 @@ void ReportPanel::draw_export(Widgets& w, Frame& frame) {
   if (w.button("export/run", "Export", {.primary = true, .width = -1.0f, .why_not = why_not})) {
     const int epsg = crs_ == 1 ? 4326 : crs_ == 2 ? static_cast<int>(epsg_) : 0;
     frame.requests.emit(request::Export{export_path_, layers[layer_].word, epsg, decimal_comma_, semicolon_});
+  }
+}
+
+/// The format is what the file's name says.
+void ReportPanel::follow_suffix() {
+  const std::string given = std::filesystem::path(export_path_).extension().string();
+  for (int i = 0; i < static_cast<int>(std::size(formats)); ++i) {
+    if (given == formats[i].suffix) format_ = i;
   }
 }
 

@@ -8,7 +8,10 @@ namespace stemwise::ui {
 class ReportPanel {
  public:
   void draw(Widgets& w, Frame& frame);
-  void set_export_path(const std::string& path) { export_path_ = path; }
+  void set_export_path(const std::string& path) {
+    export_path_ = path;
+    follow_suffix();
+  }
   void set_report_path(const std::string& path) { report_path_ = path; }
 
  private:
@@ -16,6 +19,7 @@ class ReportPanel {
   void draw_format(Widgets& w);
   void draw_crs(Widgets& w, const Frame& frame);
   void draw_report(Widgets& w, Frame& frame);
+  void follow_suffix();
   std::string suffix() const;
   void start_paths(const Frame& frame);
 

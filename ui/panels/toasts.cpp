@@ -31,7 +31,7 @@ void draw_toast(Widgets& w, Frame& frame, const Notice& notice, float right, flo
     }
     ImGui::SetCursorScreenPos({head.x, head.bottom() + w.px(4)});
     // A mere note does not cover the map: the rest of its details is in the table below.
-    const std::size_t lines = std::min<std::size_t>(notice.details.size(), notice.severity == Severity::note ? 1 : 2);
+    const std::size_t lines = std::min<std::size_t>(notice.details.size(), notice.severity == Severity::note ? 1 : 3);
     for (std::size_t i = 0; i < lines; ++i) w.paragraph(to_string(notice.details[i]), TextRole::table, Tone::secondary);
     draw_choices(w, frame, notice, "toast");
     if (notice.details.size() > lines) {
@@ -59,10 +59,16 @@ void draw_choices(Widgets& w, Frame& frame, const Notice& notice, const std::str
 void draw_toasts(Widgets& w, Frame& frame, const Rect& area) {
   float bottom = area.bottom() - w.px(56);  // above the map's scale bar
   int shown = 0;
-  for (const Notice& notice : frame.status.notices) {
-    const double seconds = notice.severity == Severity::error || !notice.choices.empty() ? error_seconds : note_seconds;
-    if (notice.age_s > seconds || ++shown > most) continue;
-    draw_toast(w, frame, notice, area.right() - w.px(12), bottom);
+  // Errors and questions before notes, and none over the tool bar.
+  for (const bool urgent : {true, false}) {
+    for (const Notice& notice : frame.status.notices) {
+      const bool is_urgent = notice.severity == Severity::error || !notice.choices.empty();
+      const double seconds = is_urgent ? error_seconds : note_seconds;
+      const bool has_room = shown == 0 || bottom - area.y > w.px(urgent ? 210 : 170);
+      if (is_urgent != urgent || notice.age_s > seconds || shown >= most || !has_room) continue;
+      ++shown;
+      draw_toast(w, frame, notice, area.right() - w.px(12), bottom);
+    }
   }
 }
 

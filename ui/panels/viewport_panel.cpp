@@ -109,8 +109,12 @@ void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
   const float width = std::max(w.text_width(card.title, TextRole::strong), w.text_width(card.detail, TextRole::table)) + w.px(26);
   const float height = w.px(card.detail.empty() ? 32 : 52);
   float x = rect.x + static_cast<float>(card.x_px) + w.px(26);
-  if (x + width > rect.right() - w.px(8)) x = rect.x + static_cast<float>(card.x_px) - w.px(26) - width;
   float y = rect.y + static_cast<float>(card.y_px) - 0.5f * height;
+  if (x + width > rect.right() - w.px(8)) x = rect.x + static_cast<float>(card.x_px) - w.px(26) - width;
+  if (x < rect.x + w.px(8)) {  // room on neither side: below the stem
+    x = std::max(rect.x + w.px(8), std::min(rect.x + static_cast<float>(card.x_px) - 0.5f * width, rect.right() - w.px(8) - width));
+    y = rect.y + static_cast<float>(card.y_px) + w.px(30);
+  }
   y = std::clamp(y, rect.y + w.px(48), std::max(rect.y + w.px(48), rect.bottom() - height - w.px(8)));
   const Rect plate{std::round(x), std::round(y), width, height};
   w.fill(plate, w.tokens().panel, w.px(6));

@@ -65,7 +65,7 @@ TEST_F(WindowTest, AnExportOverAnotherFileAsksFirst) {
   window().settle();
   ASSERT_TRUE(window().click("question/yes"));
   window().settle();
-  EXPECT_TRUE(content(path).starts_with("tree_id,"));
+  EXPECT_NE(content(path).find("tree_id"), std::string::npos);
 }
 
 TEST_F(WindowTest, FilesThatCannotBeReadAreNamedWhileTheOthersAreTaken) {
@@ -87,8 +87,8 @@ TEST_F(WindowTest, FilesThatCannotBeReadAreNamedWhileTheOthersAreTaken) {
   const auto remarked = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return n.title.starts_with("Read 3 files"); });
   ASSERT_NE(remarked, notices.end());
   EXPECT_NE(remarked->severity, Severity::error);
-  ASSERT_FALSE(remarked->details.empty());
-  EXPECT_EQ(remarked->details.front().row, 3);
+  const auto names_row = [](const Issue& issue) { return issue.file.find("words.csv") != std::string::npos && issue.row == 3; };
+  EXPECT_TRUE(std::any_of(remarked->details.begin(), remarked->details.end(), names_row));
 }
 
 TEST_F(WindowTest, AGuessedUnitIsAskedForAndTheFileReadAgain) {
@@ -104,7 +104,7 @@ TEST_F(WindowTest, AGuessedUnitIsAskedForAndTheFileReadAgain) {
   const auto asked = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return !n.choices.empty(); });
   ASSERT_NE(asked, notices.end());
   const int id = asked->id;
-  ASSERT_TRUE(window().click("toast/choice/" + std::to_string(id) + "/No, in"));
+  ASSERT_TRUE(window().click("toast/choice/" + std::to_string(id) + "/No, inch"));
   window().settle();
   ASSERT_EQ(state().inventories.size(), 1u);
   EXPECT_NEAR(*state().inventories.front()->stems.front().dbh_m, 2.54 * cm, 1e-9);

@@ -2,9 +2,11 @@
 
 #include <set>
 
+#include "app/window/requests.hpp"
 #include "app/window/review_walk.hpp"
-#include "ui/frame.hpp"
 #include "tests/app/window/window_fixture.hpp"
+#include "ui/frame.hpp"
+#include "ui/text/format.hpp"
 
 namespace stemwise {
 namespace {
@@ -61,7 +63,9 @@ TEST_F(WindowTest, TenRowsDecidedByKeysOnlyComeInTheOrderOfTheirDoubt) {
   const std::size_t at_first = model().document.derived().tables.queue.size();
   ASSERT_GE(at_first, 12u);
   double last_doubt = 2.0;
-  std::set<TreeId> seen;
+  // What a row asks: whether two stems are one tree, or what became of the tree.
+  const auto question = [&](const QueueRow& q) { return std::pair(q.tree, q.match ? model().document.derived().tables.matches[*q.match].b : StemRef{}); };
+  std::set<std::pair<TreeId, StemRef>> seen;
   const ui::ActionId decisions[] = {ui::ActionId::review_accept, ui::ActionId::review_reject, ui::ActionId::review_unlink};
   int rejected = 0;
   for (int i = 0; i < 10; ++i) {
@@ -71,11 +75,12 @@ TEST_F(WindowTest, TenRowsDecidedByKeysOnlyComeInTheOrderOfTheirDoubt) {
     const QueueRow* doubt = model().document.derived().doubt(tree);
     ASSERT_NE(doubt, nullptr) << i;
     EXPECT_FALSE(doubt->decided) << i;
-    EXPECT_TRUE(seen.insert(tree).second) << tree_label(tree) << " came twice";
+    EXPECT_TRUE(seen.insert(question(*doubt)).second) << tree_label(tree) << " came twice";
     EXPECT_LE(doubt->doubt, last_doubt) << i;
     // Nothing in between was left out.
     for (const QueueRow& other : model().document.derived().tables.queue) {
-      if (!other.decided && !seen.contains(other.tree)) EXPECT_FALSE(other.doubt > doubt->doubt && other.doubt < last_doubt) << tree_label(other.tree);
+      if (other.decided || seen.contains(question(other))) continue;
+      EXPECT_FALSE(other.doubt > doubt->doubt && other.doubt < last_doubt) << tree_label(other.tree);
     }
     last_doubt = doubt->doubt;
     ui::ActionId decision = decisions[i % 3];
@@ -100,7 +105,8 @@ TEST_F(WindowTest, TheKeysActOnThePairWhoseDoubtIsShown) {
   ASSERT_NE(found, tables.queue.end());
   const TreeId tree = found->tree;
   const MatchRow pair = tables.matches[*found->match];
-  while (model().view.selected_tree != tree) window().press(ui::ActionId::review_next);
+  select_tree(model(), tree, false);  // as a click on its row does
+  model().view.step = ui::Step::review;
   window().settle();
   EXPECT_EQ(model().view.selected_stem, pair.b);
   EXPECT_EQ(window().value("review/pair"), ui::stem_label(state(), pair.a) + " and " + ui::stem_label(state(), pair.b));
@@ -112,13 +118,38 @@ TEST_F(WindowTest, TheKeysActOnThePairWhoseDoubtIsShown) {
   window().press(ui::ActionId::edit_undo);
   window().settle();
 
-  window().press(ui::ActionId::review_previous);
-  while (model().view.selected_tree != tree) window().press(ui::ActionId::review_next);
+  select_tree(model(), tree, false);
+  window().frames(2);
   window().press(ui::ActionId::review_reject);
   window().settle();
   const auto match = state().matches.find(ordered(pair.a, pair.b));
   ASSERT_NE(match, state().matches.end());
   EXPECT_EQ(match->second.state, MatchState::rejected);
+}
+
+TEST_F(WindowTest, TheFatesAreOfTheLastTwoSurveysAndEarlierTreesAreCountedApart) {
+  open_surveys(300, {2012, 2017, 2022});
+  align();
+  const ui::Derived& derived = model().document.derived();
+  EXPECT_EQ(window().value("fates/head"), "2017 to 2022");
+  int counted = derived.seen_before_only, only_first = 0;
+  for (const int count : derived.last_step_fates) counted += count;
+  for (const TreeRow& tree : derived.tables.trees) only_first += tree.last_seen == derived.tables.inventories.front() ? 1 : 0;
+  EXPECT_EQ(counted, static_cast<int>(derived.tables.trees.size()));
+  EXPECT_EQ(derived.seen_before_only, only_first);
+  EXPECT_GT(only_first, 0);
+  for (const auto& [id, shared] : derived.in_overlap) {
+    const std::size_t all = state().find(id)->stems.size();
+    EXPECT_GT(shared.matched, 0);
+    EXPECT_LE(shared.matched, shared.stems);
+    EXPECT_LE(static_cast<std::size_t>(shared.stems), all);
+  }
+  const ui::InOverlap last = derived.in_overlap.at(derived.tables.inventories.back());
+  model().view.selected_inventory = derived.tables.inventories.back();
+  window().frames(2);
+  if (state().reference != derived.tables.inventories.back()) {
+    EXPECT_EQ(window().value("alignment/overlap"), ui::percent_text(static_cast<double>(last.matched) / last.stems, 1));
+  }
 }
 
 TEST_F(WindowTest, RightAfterUnlinkingTheStemThatStandsThereIsAnAlternative) {
