@@ -11,7 +11,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libspdlog-dev libgtest-dev libgmock-dev libbenchmark-dev
   libcairo2-dev libpango1.0-dev libegl-dev libglew-dev libgl1-mesa-dri libegl1
   fonts-dejavu-core fonts-font-awesome fonts-roboto-unhinted
-  xvfb xauth xdotool imagemagick x11-utils poppler-utils
+  xvfb xauth xdotool imagemagick x11-utils poppler-utils python3
 )
 [ "${1:-}" = "--lint" ] && packages+=(clang-format clang-tidy)
 

@@ -27,7 +27,7 @@ bool leads(const Acceptance& a, double ratio, double margin, double margin_share
 
 Verdict accept_pose(const Acceptance& a, const ListSettings& s) {
   if (leads(a, s.accept_log_ratio, s.accept_margin, s.margin_share)) return {AlignmentStatus::aligned, ""};
-  if (a.mirror - a.log_poses_tried >= s.accept_log_ratio && a.mirror - a.log_likelihood_ratio >= s.accept_margin)
+  if (a.mirror - a.log_poses_tried >= s.accept_log_ratio && a.mirror - a.log_likelihood_ratio >= std::max(s.accept_margin, s.margin_share * a.mirror))
     return {AlignmentStatus::failed, "mirrored, or axes swapped: the mirror image of this inventory fits, itself does not (" + figures(a) + ")"};
   if (leads(a, s.probable_log_ratio, s.probable_margin, s.margin_share))
     return {AlignmentStatus::probable, "a probable pose, to be looked at: it stands out, but not by enough to be sure (" + figures(a) + ")"};

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/parallel.hpp"
+#include "core/survey/grow_pose.hpp"
 
 namespace stemwise {
 namespace {
@@ -16,6 +17,7 @@ constexpr std::size_t poses_kept = 12;
 constexpr std::size_t poses_grown = 5;         // per scene and DBH model
 constexpr double overwhelming = 80.0;          // Lambda - ln N at which no further scene is asked
 constexpr std::size_t mirror_scenes_at_least = 2;
+constexpr std::size_t mirror_scenes_of_a_refusal = 4;  // enough to tell a mirrored list from another one
 
 struct ScoredPose {
   PoseFit fit;
@@ -28,6 +30,7 @@ struct Search {
   const IndexedList& b;
   const ListSettings& settings;
   VoteSettings vote;
+  double convincing = 0.0;       ///< Lambda from which a pose is grown to the whole list whatever it gains
   std::vector<ScoredPose> best;  ///< distinct poses, best first
   int refined = 0;
 };
@@ -73,7 +76,7 @@ void search_scene(Search& s, const Scene& scene, const DbhModel& model, const Pr
     distinct.resize(std::min(distinct.size(), poses_grown));
     parallel_for(distinct.size(), s.vote.threads, [&](std::size_t k) {
       progress.check();
-      distinct[k].fit = grow_pose(s.a, scene, s.b, distinct[k].fit, s.settings.noise_floor_m);
+      distinct[k].fit = grow_pose(s.a, scene, s.b, distinct[k].fit, s.settings.noise_floor_m, s.convincing);
       distinct[k].score = score_pose(s.a, s.b, distinct[k].fit, nullptr);
     });
   }
@@ -149,7 +152,7 @@ double mirror_score(const IndexedList& a, const IndexedList& b, const SearchPlan
   SearchPlan mirrored_plan = plan;
   for (Scene& scene : mirrored_plan.scenes) scene = mirrored_scene(scene);
   vote.window.reset();  // where a rough pose is known, chance is still measured everywhere
-  Search search{decoy, b, settings, vote, {}, 0};
+  Search search{decoy, b, settings, vote, plan.log_poses + settings.probable_log_ratio, {}, 0};
   search_all(search, mirrored_plan, scenes, false, progress, "searching poses of the mirror image");
   return best_of(search.best, 0);
 }
@@ -281,7 +284,7 @@ Verdict accept_within(const Acceptance& a, const PoseWindow& window, Verdict ver
 ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings, int threads, const Progress& progress) {
   SearchPlan plan{query_scenes(a, settings), dbh_bank(hints.years, a.any_dbh && b.any_dbh), 0.0};
   plan.log_poses = log_poses_tried(b, plan.scenes, plan.bank.size(), hints.rough_pose);
-  Search search{a, b, settings, VoteSettings{settings.peaks, threads, hints.rough_pose}, {}, 0};
+  Search search{a, b, settings, VoteSettings{settings.peaks, threads, hints.rough_pose}, plan.log_poses + settings.probable_log_ratio, {}, 0};
   ListAlignment result;
   if (const auto by_hand = pose_by_hand(a, b, hints, settings)) {
     search.best.push_back(*by_hand);
@@ -292,7 +295,9 @@ ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const Li
   const bool settled = verify_proposals(search, plan, hints.proposals, progress.stage(0.0, 0.1));
   if (settled) plan.bank = {search.best[0].fit.dbh};  // one scene, one model: what chance and the second choice can do here
   const std::size_t scenes = search_all(search, plan, settled ? 1 : plan.scenes.size(), !settled, progress.stage(0.1, 0.6), "searching poses");
-  const std::size_t mirror_scenes = settled ? scenes : std::max(scenes, mirror_scenes_at_least);
+  fill_acceptance(result, search, 0.0, plan.log_poses);
+  const bool refused = accept_pose(result.acceptance, settings).status == AlignmentStatus::failed;  // the decoy can only make it worse
+  const std::size_t mirror_scenes = settled ? scenes : refused ? std::min(scenes, mirror_scenes_of_a_refusal) : std::max(scenes, mirror_scenes_at_least);
   const double mirror = mirror_score(a, b, plan, mirror_scenes, settings, search.vote, progress.stage(0.6, 1.0));
   fill_acceptance(result, search, mirror, plan.log_poses);
   Verdict verdict = accept_pose(result.acceptance, settings);

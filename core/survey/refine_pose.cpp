@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace stemwise {
 namespace {
@@ -106,25 +105,6 @@ DbhModel refit_dbh(const IndexedList& a, std::span<const std::size_t> nodes, con
   for (std::size_t k = 0; k < sure.size(); ++k)
     of_usual.push_back(std::abs(change_cm[k] - growth_cm) / dbh_sd_cm({true, 0.0, 1.0}, a.nodes.dbh_cm[sure[k].a]));
   return {true, growth_cm, std::clamp(1.4826 * median_of(of_usual), 0.35, 3.0)};
-}
-
-PoseFit grow_pose(const IndexedList& a, const Scene& scene, const IndexedList& b, PoseFit fit, double noise_floor_m) {
-  const double everything_m = (a.high_m - a.low_m).norm();
-  std::vector<std::size_t> nodes = scene.nodes;
-  for (double radius_m = 1.5 * scene.radius_m; nodes.size() < a.size(); radius_m *= 1.5) {
-    nodes.clear();
-    if (radius_m > everything_m) {
-      nodes.resize(a.size());
-      std::iota(nodes.begin(), nodes.end(), 0);
-    } else {
-      a.index.within(scene.centre_m, radius_m, [&](std::size_t i, double) { nodes.push_back(i); });
-    }
-    if (nodes.empty()) continue;
-    fit.noise_m *= 1.5;  // room for what the smaller circle could not see
-    fit = refine_pose(a, nodes, b, fit, noise_floor_m);
-    fit.dbh = refit_dbh(a, nodes, b, fit);
-  }
-  return fit;
 }
 
 }  // namespace stemwise

@@ -19,9 +19,6 @@ struct PoseFit {
 /// `start.noise_m` and shrinks by at most a quarter a step, not below `noise_floor_m`.
 PoseFit refine_pose(const IndexedList& a, std::span<const std::size_t> nodes, const IndexedList& b, PoseFit start, double noise_floor_m);
 
-/// Grows the circle of nodes around the scene by half its radius at a time until it holds the whole list, refining each time.
-PoseFit grow_pose(const IndexedList& a, const Scene& scene, const IndexedList& b, PoseFit start, double noise_floor_m);
-
 /// Growth and spread of DBH re-estimated from the stems that the pose joins (robust: median and MAD); unchanged when fewer
 /// than 8 pairs with DBH are there. A model of positions only learns to use DBH here.
 DbhModel refit_dbh(const IndexedList& a, std::span<const std::size_t> nodes, const IndexedList& b, const PoseFit& fit);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 namespace stemwise {
 namespace {
@@ -83,6 +84,8 @@ std::vector<QueueRow> review_queue(const ProjectState& state, const Tables& tabl
     if (a.decided != b.decided) return !a.decided;
     return a.doubt > b.doubt;
   });
+  std::set<TreeId> listed;  // a tree is asked about once: first what is most in doubt about it, the rest when that is decided
+  std::erase_if(queue, [&](const QueueRow& row) { return !listed.insert(row.tree).second; });
   return queue;
 }
 

@@ -71,12 +71,21 @@ await review/tree "$tree"
 echo "clicked $tree in the map"
 key u
 await "tabs/Edit log" 1
+echo "unlinked"
+key l                                # relink: L, then the other survey's stem of the same tree, with only that survey shown
+click view/compare/0
+click_at "$x" "$y"
+await "tabs/Edit log" 2
+echo "relinked"
+click view/compare/1
 ctrl z
-sleep 1
-[ -z "$(widget "tabs/Edit log" value)" ] || fail "undo left the edit log at $(widget "tabs/Edit log" value)"
+await "tabs/Edit log" 1
+ctrl z
+await "tabs/Edit log" ""
 ctrl y
 await "tabs/Edit log" 1
 ctrl z
+await "tabs/Edit log" ""
 key 5
 click export/path
 ctrl a

@@ -1,6 +1,7 @@
 """Pairs that no pose may be accepted for: unrelated stands, mirrored copies, planted grids, each moved at random.
 
-usage: STEMWISE=build/release/bin/stemwise python3 tools/acceptance/refusals.py ../shared/data [--pairs 30] [--seed 0]
+usage: STEMWISE=build/release/bin/stemwise python3 tools/acceptance/refusals.py ../shared/data [--pairs 30] [--seed 0] [--large 8000]
+--large adds one pair of unrelated simulated forests of that many stems each.
 Prints every accepted pair (there must be none) and the slowest refusal; exit 1 where a pose was accepted.
 """
 import argparse, csv, glob, math, os, random, subprocess, sys, tempfile, time
@@ -59,31 +60,55 @@ def write(path, rows, year):
         w.writerows([i, f"{x:.3f}", f"{y:.3f}", f"{d:.1f}", f"{year}-07-01"] for i, x, y, d in rows)
 
 
+def simulate(stems, seed, path):
+    """One survey of a simulated forest, left at `path`."""
+    with tempfile.TemporaryDirectory() as t:
+        call = ["simulate", "-o", t, "--years", "2010", "--stems", str(stems), "--seed", str(seed), "--quiet"]
+        subprocess.run([os.environ["STEMWISE"], *call], check=True)
+        os.replace(f"{t}/2010.csv", path)
+
+
+def refuse(folder):
+    """Aligns a.csv and b.csv: exit code, seconds, whether a project was left, what it said."""
+    start = time.time()
+    call = ["align", f"{folder}/a.csv", f"{folder}/b.csv", "-o", f"{folder}/p.gpkg", "--quiet"]
+    r = subprocess.run([os.environ["STEMWISE"], *call], capture_output=True, text=True)
+    return r.returncode, time.time() - start, os.path.exists(f"{folder}/p.gpkg"), r.stderr
+
+
 def main():
     p = argparse.ArgumentParser()
     p.add_argument("data")
     p.add_argument("--pairs", type=int, default=30)
     p.add_argument("--seed", type=int, default=0)
+    p.add_argument("--large", type=int, default=0)
     a = p.parse_args()
     all_stands, accepted, slowest, other = stands(a.data), 0, 0.0, 0
-    for k in range(a.pairs):
+    if not all_stands and a.pairs:
+        print(f"SKIPPED: no mtrainier in {a.data}")
+        sys.exit(77)
+    for k in range(a.pairs + (a.large > 0)):
         rng = random.Random(f"{a.seed} {k}")
-        kind = ("unrelated", "mirrored", "grid")[k % 3]
-        first, second = make_pair(kind, all_stands, rng)
+        kind = ("unrelated", "mirrored", "grid")[k % 3] if k < a.pairs else f"{a.large} stems each"
         with tempfile.TemporaryDirectory() as t:
-            write(f"{t}/a.csv", first, 2010)
-            write(f"{t}/b.csv", second, 2016)
-            start = time.time()
-            r = subprocess.run([os.environ["STEMWISE"], "align", f"{t}/a.csv", f"{t}/b.csv", "-o", f"{t}/p.gpkg", "--quiet"], capture_output=True, text=True)
-            slowest = max(slowest, time.time() - start)
-            left = os.path.exists(f"{t}/p.gpkg")
-        if r.returncode == 0 or left:
+            if k < a.pairs:
+                first, second = make_pair(kind, all_stands, rng)
+                write(f"{t}/a.csv", first, 2010)
+                write(f"{t}/b.csv", second, 2016)
+            else:
+                simulate(a.large, 1, f"{t}/a.csv")
+                simulate(a.large, 2, f"{t}/b.csv")
+            code, seconds, left, said = refuse(t)
+        slowest = max(slowest, seconds)
+        if k >= a.pairs:
+            print(f"  {kind}: exit {code} after {seconds:.1f} s")
+        if code == 0 or left:
             accepted += 1
-            print(f"  accepted: pair {k}, {kind}, {len(first)} and {len(second)} stems")
-        elif r.returncode != 1:
+            print(f"  accepted: pair {k}, {kind}")
+        elif code != 1:
             other += 1
-            print(f"  pair {k}: exit {r.returncode}: {r.stderr[-200:]}")
-    print(f"{a.pairs} pairs (unrelated, mirrored, planted), {accepted} accepted, {other} failed otherwise, slowest refusal {slowest:.1f} s")
+            print(f"  pair {k}: exit {code}: {said[-200:]}")
+    print(f"{a.pairs + (a.large > 0)} pairs (unrelated, mirrored, planted), {accepted} accepted, {other} failed otherwise, slowest refusal {slowest:.1f} s")
     sys.exit(bool(accepted or other))
 
 

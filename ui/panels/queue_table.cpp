@@ -10,27 +10,36 @@
 namespace stemwise::ui {
 namespace {
 
-/// DBH in the n-th last survey shown (0: the last).
-std::optional<double> dbh_in(const TreeRow* tree, std::size_t from_last) {
-  if (tree == nullptr || tree->dbh_per_inventory_m.size() <= from_last) return std::nullopt;
-  return tree->dbh_per_inventory_m[tree->dbh_per_inventory_m.size() - 1 - from_last];
-}
+/// What a row is about: the match in doubt, or the tree's last two surveys.
+struct Compared {
+  std::string surveys = dash;
+  std::optional<double> before_m, after_m;
+  std::optional<double> change_m() const { return before_m && after_m ? std::optional<double>(*after_m - *before_m) : std::nullopt; }
+};
 
-std::optional<double> change_of(const TreeRow* tree) {
-  const auto before = dbh_in(tree, 1), after = dbh_in(tree, 0);
-  return before && after ? std::optional<double>(*after - *before) : std::nullopt;
+Compared compared(const Frame& frame, const QueueRow& row) {
+  const Tables& t = frame.tables();
+  const auto label = [&](InventoryId id) { return survey_label(frame.state(), id); };
+  if (row.match) {
+    const MatchRow& m = t.matches[*row.match];
+    return {label(m.a.inventory) + ", " + label(m.b.inventory), m.dbh_a_m, m.dbh_b_m};
+  }
+  const TreeRow* tree = frame.derived.tree(row.tree);
+  const std::size_t count = t.inventories.size();
+  if (tree == nullptr || count < 2 || tree->dbh_per_inventory_m.size() < count) return {};
+  return {label(t.inventories[count - 2]) + ", " + label(t.inventories[count - 1]), tree->dbh_per_inventory_m[count - 2], tree->dbh_per_inventory_m[count - 1]};
 }
 
 TableCell cell_of(const Frame& frame, const QueueRow& row, std::size_t column) {
-  const TreeRow* tree = frame.derived.tree(row.tree);
   const Tone tone = row.decided ? Tone::secondary : Tone::text;
   switch (column) {
     case 0: return {tree_label(row.tree), tone};
     case 1: return {fixed(row.doubt, 2), tone};
-    case 2: return {dbh_text(dbh_in(tree, 1)), tone};
-    case 3: return {dbh_text(dbh_in(tree, 0)), tone};
-    case 4: {
-      const auto change = change_of(tree);
+    case 2: return {compared(frame, row).surveys, tone};
+    case 3: return {dbh_text(compared(frame, row).before_m), tone};
+    case 4: return {dbh_text(compared(frame, row).after_m), tone};
+    case 5: {
+      const auto change = compared(frame, row).change_m();
       return {change_text(change), change && *change < -0.01 && !row.decided ? Tone::warning : tone};
     }
     default: return {row.decided ? "decided: " + row.why : row.why, tone};
@@ -64,12 +73,10 @@ void QueueTable::draw(Widgets& w, Frame& frame) {
     ImGui::SameLine(0, w.px(16));
     w.input("queue/filter", wanted_.text, {.hint = "Filter by tree or reason", .width = w.px(220)});
   }
-  const auto head = [&](std::size_t from_last) {
-    return t.inventories.size() > from_last ? "DBH " + survey_label(frame.state(), t.inventories[t.inventories.size() - 1 - from_last]) : std::string("DBH");
-  };
   TableView table;
   table.path = "queue";
-  table.columns = {{"Tree", 0.8f, false}, {"Doubt", 0.6f, true}, {head(1) + ", cm", 1.15f, true}, {head(0) + ", cm", 1.15f, true}, {"Change, cm", 1.0f, true}, {"Why", 2.9f, false}};
+  table.columns = {{"Tree", 0.8f},           {"Doubt", 0.6f, true},      {"Surveys", 1.0f}, {"cm before", 0.9f, true},
+                   {"cm after", 0.8f, true}, {"Change, cm", 0.9f, true}, {"Why", 2.9f}};
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame, t.queue[rows_[row]], column); };
   table.selected = [&](std::size_t row) { return t.queue[rows_[row]].tree == frame.view.selected_tree; };
