@@ -20,7 +20,6 @@ struct ReadOptions {
   std::string plot_column;  ///< header of the column that tells the plots of one file apart
   std::string plot;         ///< its value: only these rows are read
   std::optional<Date> date; ///< replaces every date of the file
-  bool keep_dead = false;   ///< stems whose status says dead are left out (and counted) unless this is set
   int threads = 0;          ///< for frame folders; 0: all of the machine
 };
 

@@ -146,6 +146,7 @@ void choose_by_name(const StemTable& table, StemColumns& columns) {
     if (!slot) slot = best_named(table, kind, columns.census_year);
     if (slot && (*slot == columns.position.first || *slot == columns.position.second)) slot.reset();
   }
+  if (table.find("tree_id") && table.find("position_sd_m")) columns.at[static_cast<std::size_t>(K::height)].reset();  // our own export: above the ellipsoid
   const auto dbh = columns[K::dbh];
   if (dbh && share_of_numbers(table, *dbh) == 0.0 && columns[K::circumference]) columns.at[static_cast<std::size_t>(K::dbh)].reset();
   if (columns[K::dbh]) columns.at[static_cast<std::size_t>(K::circumference)].reset();

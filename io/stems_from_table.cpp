@@ -21,8 +21,7 @@ constexpr double quadrat_m = 20.0;
 /// Turns rows into stems and gathers what is wrong with them.
 class StemMaker {
  public:
-  StemMaker(const StemTable& table, const StemColumns& columns, const ReadOptions& options)
-      : table_(table), columns_(columns), options_(options) {
+  StemMaker(const StemTable& table, const StemColumns& columns) : table_(table), columns_(columns) {
     if (const auto at = columns[K::status]) numbers_from_one_ = table.names[*at].base == "statuscd";
   }
 
@@ -35,15 +34,14 @@ class StemMaker {
       bad_ = false;
       Stem stem = stem_of(row);
       if (bad_) {
+        for (std::size_t k = issues_before; k < issues_.size(); ++k) issues_[k].text += "; the row is left out";
         ++rows_bad_;
         continue;
       }
-      if (!options_.keep_dead && stem.status == StemStatus::dead) {
+      if (stem.status == StemStatus::dead) {
         issues_.resize(issues_before);  // nobody minds a dead tree's missing diameter
         ++rows_dead_;
-        continue;
-      }
-      if (columns_.several_censuses && !stem.dbh_m) {
+      } else if (columns_.several_censuses && !stem.dbh_m) {
         ++rows_absent_;
         continue;
       }
@@ -251,7 +249,6 @@ class StemMaker {
 
   const StemTable& table_;
   const StemColumns& columns_;
-  const ReadOptions& options_;
   bool numbers_from_one_ = false;
   bool bad_ = false;
 };
@@ -313,7 +310,7 @@ void set_dates(Inventory& inventory, const StemTable& table, const StemColumns& 
 void note_counts(const StemMaker& made, Inventory& inventory) {
   std::string text = "rows: " + std::to_string(made.rows_met_) + ", stems read: " + std::to_string(made.stems_.size());
   if (made.rows_bad_ > 0) text += ", bad rows left out: " + std::to_string(made.rows_bad_);
-  if (made.rows_dead_ > 0) text += ", dead stems left out: " + std::to_string(made.rows_dead_);
+  if (made.rows_dead_ > 0) text += ", dead by their status: " + std::to_string(made.rows_dead_);
   if (made.rows_absent_ > 0) text += ", stems not measured in this census left out: " + std::to_string(made.rows_absent_);
   if (made.unknown_status_ > 0) text += ", stems of unknown status kept: " + std::to_string(made.unknown_status_);
   inventory.source.notes.push_back(text);
@@ -322,10 +319,9 @@ void note_counts(const StemMaker& made, Inventory& inventory) {
   if (measured < made.stems_.size()) inventory.source.notes.push_back("stems without a measured DBH: " + std::to_string(made.stems_.size() - measured));
 }
 
-Issue nothing_usable(const StemMaker& made, const StemTable& table) {
-  std::string text = table.rows.empty() ? "has a header and no rows" : "no row is usable";
-  if (made.rows_dead_ > 0 && made.rows_bad_ == 0) text = "all " + std::to_string(made.rows_dead_) + " stems are dead by their status";
-  return {Severity::error, table.file, table.header_row, {}, std::move(text), "check the delimiter and the columns, or name them with --map"};
+Issue nothing_usable(const StemTable& table) {
+  const char* text = table.rows.empty() ? "has a header and no rows" : "no row is usable";
+  return {Severity::error, table.file, table.header_row, {}, text, "check the delimiter and the columns, or name them with --map"};
 }
 
 }  // namespace
@@ -334,7 +330,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   if (const auto kept = keep_one_plot(table, options); !kept) return Result<Inventory>::failure(kept.issues);
   const auto columns = recognise_columns(table, options);
   if (!columns) return Result<Inventory>::failure(columns.issues);
-  StemMaker made(table, *columns, options);
+  StemMaker made(table, *columns);
   made.run();
 
   Inventory inventory;
@@ -348,7 +344,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   const Issues nans = made.not_a_number_issues();
   issues.insert(issues.end(), nans.begin(), nans.end());
   if (made.stems_.empty()) {
-    issues.insert(issues.begin(), nothing_usable(made, table));
+    issues.insert(issues.begin(), nothing_usable(table));
     return Result<Inventory>::failure(std::move(issues));
   }
   note_counts(made, inventory);

@@ -1,31 +1,44 @@
 #include "app/commands/align.hpp"
 
-#include <filesystem>
-
 #include "app/align_json.hpp"
 #include "app/align_run.hpp"
+#include "app/check_output.hpp"
 #include "io/project_file.hpp"
 
 namespace stemwise {
 namespace {
 
-/// Before the work, what would only be noticed after it.
-ExitCode check_output(const std::string& path, Console& console) {
-  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  std::error_code code;
-  if (std::filesystem::is_directory(folder, code)) return ExitCode::done;
-  console.error(path + ": cannot be written, there is no folder " + folder.string());
-  return ExitCode::failed;
+/// Growth and fates depend on the order of the surveys: where some have no date, it was taken as given.
+void warn_of_undated(const ProjectState& state, Console& console) {
+  std::string order, undated;
+  bool dated = false;
+  for (const InventoryId id : state.by_date()) {
+    const Inventory& inventory = *state.find(id);
+    order += (order.empty() ? "" : ", ") + inventory.name;
+    if (inventory.date) dated = true;
+    else undated += (undated.empty() ? "" : ", ") + inventory.name;
+  }
+  if (dated && !undated.empty())
+    console.warn("no date is known of " + undated + ": taken in the order given (" + order + "); tell it with --date NAME:2023-05-04");
+}
+
+void warn_of_twins(const ProjectState& state, Console& console) {
+  for (std::size_t i = 0; i < state.inventories.size(); ++i)
+    for (std::size_t k = i + 1; k < state.inventories.size(); ++k)
+      if (state.inventories[i]->stems == state.inventories[k]->stems)
+        console.warn(state.inventories[i]->name + " and " + state.inventories[k]->name + " hold the very same stems: was one file given twice?");
 }
 
 }  // namespace
 
 ExitCode run_align(const AlignOptions& options, Session& session) {
-  if (const ExitCode code = check_output(options.output, session.console); code != ExitCode::done) return code;
+  if (const ExitCode code = check_output(options.output, OutputKind::project, options.inventories, session.console); code != ExitCode::done) return code;
   const AlignRun run = run_alignment(options, session);
   if (run.code != ExitCode::done) return run.code;
   session.progress().check();
   const ProjectState& state = run.project.state();
+  warn_of_undated(state, session.console);
+  warn_of_twins(state, session.console);
   const ExitCode verdict = judge_alignment(state, session.console);
   if (verdict == ExitCode::done) {
     const Result<Done> written = write_project(state, options.output);

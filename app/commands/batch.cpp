@@ -105,6 +105,7 @@ struct PlotResult {
 
 std::string problems_of(const ProjectState& state) {
   std::string problems;
+  if (state.inventories.size() == 1) problems = "one inventory only: there is nothing to align it to";
   for (const auto& [id, alignment] : state.alignments) {
     if (!alignment.reason.empty()) problems += (problems.empty() ? "" : "; ") + state.find(id)->name + ": " + alignment.reason;
   }

@@ -1,13 +1,13 @@
 #include "app/commands/convert.hpp"
 
-#include <filesystem>
-
+#include "app/check_output.hpp"
 #include "app/load_inventories.hpp"
 #include "io/write_inventory.hpp"
 
 namespace stemwise {
 
 ExitCode run_convert(const ConvertOptions& options, Session& session) {
+  if (const ExitCode code = check_output(options.output, OutputKind::other, {options.input}, session.console); code != ExitCode::done) return code;
   LoadedInventories loaded = load_inventories({options.input}, options.read, session, session.progress());
   session.console.end_progress();
   if (loaded.code != ExitCode::done) return loaded.code;

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
 #include "io/crs.hpp"
 #include "io/export_layer.hpp"
@@ -47,6 +48,7 @@ std::optional<ExportOptions> export_options(const ExportCommandOptions& given, C
 ExitCode run_export(const ExportCommandOptions& given, Session& session) {
   const std::optional<ExportOptions> options = export_options(given, session.console);
   if (!options) return ExitCode::usage;
+  if (const ExitCode code = check_output(given.output, OutputKind::other, {given.project}, session.console); code != ExitCode::done) return code;
   const std::optional<Project> project = open_project(given.project, session);
   if (!project) return ExitCode::unusable_input;
   session.progress().check();

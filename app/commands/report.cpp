@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
 #include "app/commands/project_commands.hpp"
 #include "core/project/commands.hpp"
@@ -70,6 +71,7 @@ ExitCode run_report(const ReportCommandOptions& options, Session& session) {
     session.console.error("--area-ha must be more than 0");
     return ExitCode::usage;
   }
+  if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
   std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;
   if (const ExitCode code = choose_rules(options, *project, session); code != ExitCode::done) return code;

@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
 #include "app/commands/project_commands.hpp"
 #include "core/survey/tables.hpp"
@@ -36,6 +37,7 @@ ExitCode run_snapshot(const SnapshotOptions& options, Session& session) {
     session.console.error("--size: between 64x64 and 16384x16384");
     return ExitCode::usage;
   }
+  if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
   const std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;
   const Tables tables = derive_tables(project->state());

@@ -4,6 +4,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "core/forest/time_order.hpp"
+
 namespace stemwise {
 namespace {
 
@@ -79,14 +81,10 @@ TreeId ProjectState::tree_of(StemRef stem) const {
 }
 
 std::vector<InventoryId> ProjectState::by_date() const {
-  std::vector<const Inventory*> sorted;
-  for (const auto& inventory : inventories) sorted.push_back(inventory.get());
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Inventory* a, const Inventory* b) {
-    if (a->date.has_value() != b->date.has_value()) return a->date.has_value();
-    return a->date && *a->date < *b->date;
-  });
+  std::vector<std::optional<Date>> dates;
+  for (const auto& inventory : inventories) dates.push_back(inventory->date);
   std::vector<InventoryId> ids;
-  for (const Inventory* inventory : sorted) ids.push_back(inventory->id);
+  for (const std::size_t i : time_order(dates)) ids.push_back(inventories[i]->id);
   return ids;
 }
 

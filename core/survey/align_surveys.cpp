@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/forest/time_order.hpp"
 #include "core/survey/align_lists.hpp"
 #include "core/survey/associate_surveys.hpp"
 #include "core/survey/level_by_axes.hpp"
@@ -126,7 +127,10 @@ class Run {
     InventoryAlignment& report = result_.inventories[reference_];
     report.status = AlignmentStatus::reference;
     report.overlap = 1.0;
-    for (const Dof dof : {Dof::x, Dof::y, Dof::yaw, Dof::z, Dof::roll, Dof::pitch}) report.observed.set(dof);
+    const auto& stems = inventories_[reference_]->stems;
+    reference_has_heights_ = std::any_of(stems.begin(), stems.end(), [](const Stem& s) { return s.z_m.has_value(); });
+    for (const Dof dof : {Dof::x, Dof::y, Dof::yaw}) report.observed.set(dof);
+    for (const Dof dof : {Dof::z, Dof::roll, Dof::pitch}) report.observed.set(dof, reference_has_heights_);
     fixed_.assign(inventories_.size(), 0);
     for (std::size_t k = 0; k < inventories_.size(); ++k)
       for (const InventoryAlignment& pose : hints_.base.poses)
@@ -238,13 +242,12 @@ class Run {
     return result;
   }
 
-  /// Aligned inventories in the order of their dates, or as given where one has none.
+  /// Aligned inventories in the order of time.
   std::vector<std::size_t> aligned_by_time() const {
-    std::vector<std::size_t> order;
-    bool dated = true;
-    for (std::size_t k = 0; k < inventories_.size(); ++k)
-      if (is_aligned(result_.inventories[k])) order.push_back(k), dated = dated && inventories_[k]->date.has_value();
-    if (dated) std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return *inventories_[p]->date < *inventories_[q]->date; });
+    std::vector<std::optional<Date>> dates;
+    for (const Inventory* inventory : inventories_) dates.push_back(inventory->date);
+    std::vector<std::size_t> order = time_order(dates);
+    std::erase_if(order, [&](std::size_t k) { return !is_aligned(result_.inventories[k]); });
     return order;
   }
 
@@ -272,6 +275,7 @@ class Run {
       const Stem& stem = surveys[s.survey].inventory->stems[surveys[s.survey].stem_of[s.node]];
       const Eigen::Vector3d p = to_reference * Eigen::Vector3d(stem.x_m, stem.y_m, stem.z_m.value_or(0.0));
       mean.x_m += p.x(), mean.y_m += p.y(), ++count;
+      if (!reference_has_heights_) continue;  // without them nobody can say how high, or how level, the others lie on it
       if (stem.z_m) height_m += p.z(), ++heights;
       if (stem.axis) axis += to_reference.rotation * (stem.axis->z() < 0.0 ? Eigen::Vector3d(-*stem.axis) : *stem.axis);
     }
@@ -362,6 +366,7 @@ class Run {
   const AlignSettings& settings_;
   const AlignHints& hints_;
   std::size_t reference_ = 0;
+  bool reference_has_heights_ = false;
   std::vector<Prepared> prepared_;
   std::vector<std::uint8_t> fixed_;   ///< of the base
   std::vector<std::size_t> partner_;  ///< per inventory: the one that it was laid onto

@@ -43,6 +43,7 @@ Fate decide_fate(const SurveyStep& step, const TreeAtStep& tree) {
   }
   if (!known_before) return tree.seen_later ? Fate::outside_coverage : Fate::unresolved;
   if (tree.seen_later) return Fate::survivor;
+  if (tree.dead_before) return Fate::dead;  // it lay or stood dead already; nobody has to look for it
   return fate_of_gone(step, tree);
 }
 

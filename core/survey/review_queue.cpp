@@ -45,6 +45,7 @@ Doubt doubt_of_match(const ProjectState& state, const Tables& tables, const Matc
     doubt.raise(std::min(0.9, 0.15 * std::abs(*match.change_m) / error_m),
                 words("shrank %.1f cm, error %.1f cm", -100.0 * *match.change_m, 100.0 * error_m));
   if (match.distance_m > 3.0 * noise_m) doubt.raise(1.0 - match.confidence, words("residual %.2f m", match.distance_m));
+  if (!match.years && match.change_m && *match.change_m > 0.1) doubt.raise(std::min(0.9, 3.0 * *match.change_m), words("grew %.1f cm", 100.0 * *match.change_m));
   if (match.growth_m_per_year && *match.growth_m_per_year > 0.03)
     doubt.raise(std::min(0.9, 10.0 * *match.growth_m_per_year), words("grew %.0f mm per year", 1000.0 * *match.growth_m_per_year));
   const Stem* a = state.find(match.a);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <unordered_map>
 
 #include "core/base/quantile.hpp"
@@ -34,6 +35,16 @@ struct TreeSightings {
   const TreeRecord* record = nullptr;
   std::vector<Sighting> by_date;
 };
+
+/// Of a dead stem no growth is told: bark falls, wood dries.
+bool is_living(const Sighting& sighting) { return sighting.stem->status != StemStatus::dead; }
+
+/// More than any tree grows (TreeData's limit for pioneers is 7.5 cm a year): another stem, or a diameter mismeasured.
+bool is_implausible(const MatchRow& row) {
+  constexpr double most_m_per_year = 0.075, most_undated_m = 0.25;
+  if (!row.change_m || row.change != ChangeClass::grew) return false;
+  return row.growth_m_per_year ? *row.growth_m_per_year > most_m_per_year : *row.change_m > most_undated_m;
+}
 
 double smallest_dbh_m(const Inventory& inventory) {
   std::vector<double> dbh;
@@ -142,7 +153,7 @@ void Derivation::derive_growth() {
     for (std::size_t i = 1; i < tree.by_date.size(); ++i) {
       const Sighting &a = tree.by_date[i - 1], &b = tree.by_date[i];
       const std::size_t from = survey_of(a.ref.inventory);
-      if (survey_of(b.ref.inventory) != from + 1 || !a.stem->dbh_m || !b.stem->dbh_m) continue;
+      if (survey_of(b.ref.inventory) != from + 1 || !a.stem->dbh_m || !b.stem->dbh_m || !is_living(a) || !is_living(b)) continue;
       pairs[from].push_back({*a.stem->dbh_m, *b.stem->dbh_m, years_between_stems(a, b)});
     }
   std::vector<std::vector<double>> errors(surveys_.size());
@@ -181,8 +192,9 @@ MatchRow Derivation::match_row(const TreeSightings& tree, const Sighting& a, con
   row.dbh_b_m = b.stem->dbh_m;
   row.years = years_between_stems(a, b);
   if (row.dbh_a_m && row.dbh_b_m) row.change_m = *row.dbh_b_m - *row.dbh_a_m;
-  if (row.change_m && row.years) row.growth_m_per_year = *row.change_m / *row.years;
-  row.change = classify_change(row.change_m, dbh_error_m(survey_of(a.ref.inventory)), dbh_error_m(survey_of(b.ref.inventory)));
+  const bool living = is_living(a) && is_living(b);
+  if (row.change_m && row.years && living) row.growth_m_per_year = *row.change_m / *row.years;
+  row.change = classify_change(living ? row.change_m : std::nullopt, dbh_error_m(survey_of(a.ref.inventory)), dbh_error_m(survey_of(b.ref.inventory)));
   const auto found = state_.matches.find(ordered(a.ref, b.ref));
   row.confidence = 0.5;  // joined through a third survey only
   if (found != state_.matches.end()) {
@@ -192,7 +204,9 @@ MatchRow Derivation::match_row(const TreeSightings& tree, const Sighting& a, con
   }
   if (row.state == MatchState::linked || row.state == MatchState::accepted) row.confidence = 1.0;
   if (row.change == ChangeClass::shrank) row.flags.push_back("shrinkage");
+  if (is_implausible(row)) row.flags.push_back("implausible_growth");
   if (!row.change_m) row.flags.push_back("no_dbh");
+  if (!is_living(a) && is_living(b)) row.flags.push_back("alive_after_dead");
   return row;
 }
 
@@ -205,6 +219,7 @@ void Derivation::derive_matches() {
 
 /// The pairs that a person took apart, so that the decision can be seen and taken back.
 void Derivation::add_rejected() {
+  std::map<std::pair<TreeId, StemRef>, MatchRow> last;  // of the stems that were one tree, the nearest in time before: consecutive sightings
   for (const auto& [key, match] : state_.matches) {
     if (match.joins() || !index_.contains(match.a.inventory) || !index_.contains(match.b.inventory)) continue;
     const bool in_order = survey_of(match.a.inventory) <= survey_of(match.b.inventory);
@@ -214,8 +229,11 @@ void Derivation::add_rejected() {
     };
     const auto record = state_.trees.find(state_.tree_of(first));
     if (record == state_.trees.end()) continue;
-    tables_.matches.push_back(match_row({&record->second, {}}, sighting(first), sighting(second)));
+    const MatchRow row = match_row({&record->second, {}}, sighting(first), sighting(second));
+    const auto [place, is_new] = last.try_emplace({row.tree, row.b}, row);
+    if (!is_new && survey_of(place->second.a.inventory) < survey_of(row.a.inventory)) place->second = row;
   }
+  for (const auto& entry : last) tables_.matches.push_back(entry.second);
 }
 
 Fate Derivation::fate_at(const TreeSightings& tree, const TreeRow& row, std::size_t from) const {
@@ -226,6 +244,7 @@ Fate Derivation::fate_at(const TreeSightings& tree, const TreeRow& row, std::siz
   for (const Sighting& s : tree.by_date) {
     const std::size_t survey = survey_of(s.ref.inventory);
     if (survey < from) at.seen_earlier = true;
+    if (survey <= from) at.dead_before = s.stem->status == StemStatus::dead;
     if (survey == from) at.seen_from = true;
     if (survey > from + 1) at.seen_later = true;
     if (survey != from + 1) continue;
@@ -254,7 +273,7 @@ void Derivation::derive_trees() {
     const Sighting* last = nullptr;
     for (const Sighting& s : tree.by_date) {
       row.dbh_per_inventory_m[survey_of(s.ref.inventory)] = s.stem->dbh_m;
-      if (!s.stem->dbh_m) continue;
+      if (!s.stem->dbh_m || !is_living(s)) continue;
       if (first == nullptr) first = &s;
       last = &s;
     }
