@@ -1,5 +1,6 @@
 #include "app/align_job.hpp"
 
+#include "app/with_frames.hpp"
 #include "core/survey/coverage.hpp"
 
 namespace stemwise {
@@ -33,10 +34,17 @@ void keep_base(const ProjectState& state, SurveyAlignment& result) {
 
 AlignOutcome align_project(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress) {
   add_decisions(state, hints);
+  std::vector<std::shared_ptr<const Inventory>> held;
   std::vector<const Inventory*> inventories;
-  for (const auto& inventory : state.inventories) inventories.push_back(inventory.get());
+  std::vector<std::string> notes;
+  for (const auto& inventory : state.inventories) {
+    progress.at(0.0, "Reading " + inventory->name);
+    held.push_back(with_frames(inventory, settings.threads, notes));
+    inventories.push_back(held.back().get());
+  }
   AlignOutcome outcome;
   outcome.alignment = align_surveys(inventories, state.reference, settings, hints, progress);
+  outcome.alignment.notes.insert(outcome.alignment.notes.begin(), notes.begin(), notes.end());
   for (const Inventory* inventory : inventories) {
     progress.check();
     outcome.coverages.emplace_back(inventory->id, estimate_coverage(*inventory));

@@ -1,12 +1,11 @@
 #include "app/session.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+
+#include "io/replace_file.hpp"
 
 namespace stemwise {
 namespace {
@@ -66,25 +65,15 @@ ExitCode Session::apply_settings(Fields fields) {
 ExitCode Session::write_json(const std::string& text) {
   if (common.json.empty()) return ExitCode::done;
   console.end_progress();
-  const Issues found = write_text_file(common.json, text);
+  const Issues found = write_result(common.json, text);
   console.issues(found);
   return has_error(found) ? ExitCode::failed : ExitCode::done;
 }
 
-Issues write_text_file(const std::string& path, const std::string& text) {
-  if (path == "-") {
-    std::cout << text << std::flush;
-    return std::cout ? Issues{} : Issues{wrong("stdout", "cannot be written")};
-  }
-  const std::string beside = path + ".part" + std::to_string(getpid());
-  std::ofstream out(beside, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code code;
-  if (out) std::filesystem::rename(beside, path, code);
-  if (out && !code) return {};
-  std::filesystem::remove(beside, code);
-  return {wrong(path, "cannot be written", "does the folder exist, and may you write there?")};
+Issues write_result(const std::string& path, const std::string& text) {
+  if (path != "-") return write_text_file(path, text).issues;
+  std::cout << text << std::flush;
+  return std::cout ? Issues{} : Issues{wrong("stdout", "cannot be written")};
 }
 
 }  // namespace stemwise

@@ -40,7 +40,7 @@ struct GivenSettings {
 };
 GivenSettings given_settings(const CommonOptions& common);
 
-/// A whole file or nothing: writes beside it and renames. "-" is stdout.
-Issues write_text_file(const std::string& path, const std::string& text);
+/// A whole file or nothing; "-" is stdout.
+Issues write_result(const std::string& path, const std::string& text);
 
 }  // namespace stemwise

@@ -82,6 +82,14 @@ bool is_geographic_epsg(int epsg) {
   return system && system->IsGeographic();
 }
 
+bool is_in_area_of_use(int epsg, double latitude_deg, double longitude_deg, double margin_deg) {
+  const GdalMessages quiet;
+  const auto system = system_of(epsg);
+  double west = 0.0, south = 0.0, east = 0.0, north = 0.0;
+  if (!system || !system->GetAreaOfUse(&west, &south, &east, &north, nullptr) || west > east) return true;  // across the date line: not asked
+  return latitude_deg >= south - margin_deg && latitude_deg <= north + margin_deg && longitude_deg >= west - margin_deg && longitude_deg <= east + margin_deg;
+}
+
 std::optional<double> metres_per_unit_of_epsg(int epsg) {
   const GdalMessages quiet;
   const auto system = system_of(epsg);

@@ -33,6 +33,8 @@ int utm_epsg_of(double longitude_deg, double latitude_deg);
 /// True for EPSG codes that PROJ knows.
 bool is_known_epsg(int epsg);
 bool is_geographic_epsg(int epsg);
+/// True where the system's area of use, as EPSG has it, holds the position, or comes within `margin_deg`; also when it has none.
+bool is_in_area_of_use(int epsg, double latitude_deg, double longitude_deg, double margin_deg);
 /// Metres per unit of the axes of a projected system; nothing for others.
 std::optional<double> metres_per_unit_of_epsg(int epsg);
 /// "WGS 84 / UTM zone 55S"; "EPSG:1234" when unknown.

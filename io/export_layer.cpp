@@ -9,6 +9,7 @@
 #include "io/gdal_session.hpp"
 #include "io/keep_layers.hpp"
 #include "io/layer_text.hpp"
+#include "io/memory_folder.hpp"
 #include "io/replace_file.hpp"
 #include "io/read_whole_file.hpp"
 #include "io/write_layers.hpp"
@@ -169,21 +170,16 @@ Issues write_dataset(const Format& format, const std::vector<Layer>& layers, con
   return messages.errors().empty() ? Issues{} : failure("the file is not complete");
 }
 
-/// A Shapefile is several files: all of them are written into a folder beside and then moved one by one.
-Result<Done> write_several_files(const Format& format, const std::vector<Layer>& layers, const std::string& path, GdalMessages& messages) {
-  const fs::path folder = temporary_beside(path) + "-parts";
-  std::error_code error;
-  fs::remove_all(folder, error);
-  if (!fs::create_directory(folder, error)) return refused(path, "cannot be written: " + error.message(), "check the folder and its rights");
-  std::vector<Layer> renamed = layers;
-  renamed.front().name = fs::path(path).stem().string();
-  Issues issues = write_dataset(format, renamed, (folder / fs::path(path).filename()).string(), messages);
-  Result<Done> done = issues.empty() ? Result<Done>(Done{}) : named(std::move(issues), path);
-  for (const auto& part : issues.empty() && done ? fs::directory_iterator(folder) : fs::directory_iterator()) {
-    const fs::path final = fs::path(path).parent_path() / part.path().filename();
-    if (auto moved = replace_file(part.path().string(), final.string()); !moved) done = moved;
-  }
-  fs::remove_all(folder, error);
+/// Made in memory and written by ourselves. A Shapefile is several files: one by one, each of them whole.
+Result<Done> write_through_memory(const Format& format, std::vector<Layer> layers, const std::string& path, GdalMessages& messages) {
+  const MemoryFolder folder;
+  if (format.suffix == ".shp") layers.front().name = fs::path(path).stem().string();
+  const std::string name = format.suffix == ".kmz" ? "doc.kml" : fs::path(path).filename().string();
+  if (Issues issues = write_dataset(format, layers, folder.path_of(name), messages); !issues.empty()) return named(std::move(issues), path);
+  if (format.suffix == ".kmz") return write_zip(path, {{name, folder.bytes_of(name)}});
+  Result<Done> done = Done{};
+  for (const std::string& file : folder.names())
+    if (done) done = write_text_file((fs::path(path).parent_path() / file).string(), folder.bytes_of(file));
   return done;
 }
 
@@ -200,17 +196,6 @@ const std::vector<std::string>& export_suffixes() {
 
 namespace {
 
-/// KML in a zip, as doc.kml.
-Result<Done> write_kmz(const Format& format, const std::vector<Layer>& layers, const std::string& path, GdalMessages& messages) {
-  const std::string temporary = temporary_beside(path) + ".kml";
-  std::error_code ignored;
-  Issues issues = write_dataset(format, layers, temporary, messages);
-  const auto bytes = issues.empty() ? read_whole_file(temporary) : std::nullopt;
-  Result<Done> done = bytes ? write_zip(path, {{"doc.kml", std::string(bytes->text())}}) : named(std::move(issues), path);
-  fs::remove(temporary, ignored);
-  return done;
-}
-
 Result<Done> write_layers(const Format& format, const std::vector<Layer>& layers, const std::string& path, const ExportOptions& options, GdalMessages& messages) {
   if (std::string_view(format.driver).empty()) {
     TextTableStyle style;
@@ -220,8 +205,7 @@ Result<Done> write_layers(const Format& format, const std::vector<Layer>& layers
   }
   const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
   const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
-  if (format.suffix == ".shp") return write_several_files(format, layers, path, messages);
-  if (format.suffix == ".kmz") return write_kmz(format, layers, path, messages);
+  if (format.suffix != ".gpkg") return write_through_memory(format, layers, path, messages);
   const std::string temporary = temporary_beside(path);
   std::error_code ignored;
   fs::remove(temporary, ignored);

@@ -113,7 +113,7 @@ Inventory inventory_from(const std::string& folder, FrameSet set) {
       with_axis += stem.axis.has_value() ? 1 : 0;
     }
   }
-  inventory.source.path = folder;
+  inventory.source.path = fs::absolute(path).string();  // a project finds the frames again wherever it is opened from
   inventory.source.format = "frame folder";
   inventory.source.notes = {std::to_string(set.frames.size()) + " frames, " + std::to_string(stems) + " stems seen",
                             "positions: m, in each frame", "dbh: m, measured for " + std::to_string(measured) + " of them",

@@ -10,6 +10,7 @@
 #include "app/align_json.hpp"
 #include "app/align_run.hpp"
 #include "app/read_inputs.hpp"
+#include "app/result_json.hpp"
 #include "io/project_file.hpp"
 #include "io/read_manifest.hpp"
 #include "io/write_inventory.hpp"
@@ -200,7 +201,8 @@ ExitCode run_batch(const BatchOptions& options, Session& session) {
   Result<Done> written = write_whole_file((fs::path(options.folder) / ("summary" + suffix + ".csv")).string(), summary);
   if (written) written = write_whole_file((fs::path(options.folder) / ("timing" + suffix + ".csv")).string(), timing);
   session.console.issues(written.issues);
-  return written ? ExitCode::done : ExitCode::failed;
+  if (!written) return ExitCode::failed;
+  return session.write_json(result_json({{"output", options.folder}, {"summary", "summary" + suffix + ".csv"}, {"plots", static_cast<std::int64_t>(plots->size())}}));
 }
 
 }  // namespace stemwise

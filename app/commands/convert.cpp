@@ -2,6 +2,7 @@
 
 #include "app/check_output.hpp"
 #include "app/load_inventories.hpp"
+#include "app/result_json.hpp"
 #include "io/write_inventory.hpp"
 
 namespace stemwise {
@@ -13,8 +14,10 @@ ExitCode run_convert(const ConvertOptions& options, Session& session) {
   if (loaded.code != ExitCode::done) return loaded.code;
   const Result<Done> written = write_inventory(options.output, loaded.inventories.front());
   session.console.issues(written.issues);
-  if (written) session.console.say(options.output + ": " + std::to_string(loaded.inventories.front().stems.size()) + " stems");
-  return written ? ExitCode::done : ExitCode::failed;
+  if (!written) return ExitCode::failed;
+  const std::size_t stems = loaded.inventories.front().stems.size();
+  session.console.say(options.output + ": " + std::to_string(stems) + " stems");
+  return session.write_json(result_json({{"output", options.output}, {"stems", static_cast<std::int64_t>(stems)}}));
 }
 
 }  // namespace stemwise

@@ -83,7 +83,7 @@ private:
     session_.console.end_progress();
     if (!session_.common.quiet && session_.common.json != "-") std::cout << evaluation_text(evaluation, about_) << std::flush;
     Issues wrong;
-    if (!options_.csv.empty()) wrong = write_text_file(options_.csv, evaluation_csv(evaluation));
+    if (!options_.csv.empty()) wrong = write_result(options_.csv, evaluation_csv(evaluation));
     if (!options_.plots.empty() && !has_error(wrong)) wrong = write_evaluation_plots(evaluation, about_, options_.plots);
     session_.console.issues(wrong);
     if (has_error(wrong)) return ExitCode::failed;

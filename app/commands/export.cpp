@@ -4,6 +4,7 @@
 
 #include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
+#include "app/result_json.hpp"
 #include "io/crs.hpp"
 #include "io/export_layer.hpp"
 
@@ -54,7 +55,9 @@ ExitCode run_export(const ExportCommandOptions& given, Session& session) {
   session.progress().check();
   const Result<Done> written = export_layer(project->state(), given.output, *options);
   session.console.issues(written.issues);
-  return written ? ExitCode::done : ExitCode::failed;
+  if (!written) return ExitCode::failed;
+  session.console.say(given.output + ": written");
+  return session.write_json(result_json({{"output", given.output}}));
 }
 
 }  // namespace stemwise

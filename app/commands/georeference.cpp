@@ -20,7 +20,7 @@ std::string contradiction(const GeoreferenceOptions& options) {
   return "";
 }
 
-std::string result_json(const Georeference& g) {
+std::string georeference_json(const Georeference& g) {
   using nlohmann::ordered_json;
   ordered_json json{{"method", g.method}};
   if (g.kind == GeoreferenceKind::crs) json["epsg"] = g.epsg;
@@ -65,7 +65,9 @@ ExitCode run_georeference(const GeoreferenceOptions& options, Session& session) 
   placement.georeference.geoid = *geoid;
   project->execute(set_georeference(placement.georeference));
   const ExitCode saved = save_project(options.project, *project, session);
-  return saved != ExitCode::done ? saved : session.write_json(result_json(placement.georeference));
+  if (saved != ExitCode::done) return saved;
+  session.console.say(options.project + ": placed on the earth by " + placement.georeference.method);
+  return session.write_json(georeference_json(placement.georeference));
 }
 
 }  // namespace stemwise

@@ -1,5 +1,6 @@
 #include "app/commands/open_project.hpp"
 #include "app/commands/project_commands.hpp"
+#include "app/result_json.hpp"
 #include "core/project/commands.hpp"
 
 namespace stemwise {
@@ -13,7 +14,9 @@ ExitCode run_merge(const MergeOptions& options, Session& session) {
   std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;
   project->execute(set_fusion_policy(*policy));
-  return save_project(options.project, *project, session);
+  if (const ExitCode saved = save_project(options.project, *project, session); saved != ExitCode::done) return saved;
+  session.console.say(options.project + ": " + std::to_string(project->state().trees.size()) + " trees merged by the policy " + to_string(*policy));
+  return session.write_json(result_json({{"output", options.project}, {"policy", to_string(*policy)}, {"trees", static_cast<std::int64_t>(project->state().trees.size())}}));
 }
 
 }  // namespace stemwise

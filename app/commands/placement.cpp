@@ -24,11 +24,17 @@ std::optional<std::vector<double>> numbers_of(const std::string& text) {
   for (const char* at = text.data(); at < text.data() + text.size();) {
     double number = 0.0;
     const auto [end, error] = std::from_chars(at, text.data() + text.size(), number);
-    if (error != std::errc{} || (end != text.data() + text.size() && *end != ',')) return std::nullopt;
+    if (error != std::errc{} || !std::isfinite(number) || (end != text.data() + text.size() && *end != ',')) return std::nullopt;
     numbers.push_back(number);
     at = end + 1;
   }
   return numbers;
+}
+
+std::string degrees_text(double degrees) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", degrees);
+  return text;
 }
 
 Placement failed(Console& console, const Issues& issues, ExitCode code = ExitCode::failed) {
@@ -179,8 +185,10 @@ Placement place_by_anchor(const GeoreferenceOptions& options, const ProjectState
   const auto numbers = numbers_of(text);
   if (!numbers || numbers->size() != 4)
     return placement_refused(console, ExitCode::usage, "--anchor " + text + ": expected LAT,LON,H,AZIMUTH, for example 48.77214,9.16621,412.5,37");
-  if (std::abs((*numbers)[0]) > 90.0 || std::abs((*numbers)[1]) > 360.0)
-    return placement_refused(console, ExitCode::usage, "--anchor " + text + ": latitude and longitude are degrees");
+  if ((*numbers)[0] < -80.0 || (*numbers)[0] > 84.0 || std::abs((*numbers)[1]) > 180.0)
+    return placement_refused(console, ExitCode::usage, "--anchor " + text + ": expected a latitude of -80 to 84 degrees (where UTM reaches) and a longitude of -180 to 180");
+  if (std::abs((*numbers)[2]) > 12000.0 || std::abs((*numbers)[3]) > 360.0)
+    return placement_refused(console, ExitCode::usage, "--anchor " + text + ": expected a height in metres and an azimuth of -360 to 360 degrees");
   Georeference georeference;
   georeference.kind = GeoreferenceKind::anchor;
   georeference.origin = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
@@ -210,6 +218,11 @@ Placement place_by_crs(const GeoreferenceOptions& options, const ProjectState& s
   const auto to_wgs84 = CrsTransform::between(epsg, wgs84_epsg);
   const auto middle = to_wgs84 ? (*to_wgs84.value)(middle_of(*inventory)) : std::nullopt;
   if (!middle) return placement_refused(console, ExitCode::failed, "--crs " + text + ": the coordinates of " + inventory->name + " have no place in it");
+  constexpr double usual_margin_deg = 3.0;  // a country's zone is used a little beyond itself
+  const bool looks_local = middle_of(*inventory).head<2>().cwiseAbs().maxCoeff() < 20000.0;
+  if (!is_in_area_of_use(epsg, middle->y(), middle->x(), looks_local ? 0.0 : usual_margin_deg))
+    return placement_refused(console, ExitCode::failed, "--crs " + text + ": the coordinates of " + inventory->name + " would lie at latitude " + degrees_text(middle->y()) + ", longitude " +
+                                                            degrees_text(middle->x()) + ", where this system is not used; are they local coordinates? Then --anchor or --control place them");
   Georeference georeference;
   georeference.kind = GeoreferenceKind::crs;
   georeference.epsg = epsg;

@@ -4,6 +4,7 @@
 #include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
 #include "app/commands/project_commands.hpp"
+#include "app/result_json.hpp"
 #include "core/project/commands.hpp"
 #include "core/survey/report_model.hpp"
 #include "core/survey/tables.hpp"
@@ -90,7 +91,9 @@ ExitCode run_report(const ReportCommandOptions& options, Session& session) {
     written = write_report(options.output, make_report_document(model, software));
   }
   session.console.issues(written.issues);
-  return written ? ExitCode::done : ExitCode::failed;
+  if (!written) return ExitCode::failed;
+  session.console.say(options.output + ": written");
+  return session.write_json(result_json({{"output", options.output}}));
 }
 
 }  // namespace stemwise

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/read_inputs.hpp"
+#include "app/result_json.hpp"
 #include "app/truth_files.hpp"
 #include "io/write_inventory.hpp"
 #include "io/write_whole_file.hpp"
@@ -23,13 +24,17 @@ class FolderWriter {
   }
   void survey(const std::string& name, const Inventory& inventory, bool frames) {
     if (failed_) return;
+    written_.push_back(frames ? name : name + ".csv");
     take(write_inventory((fs::path(folder_) / (frames ? name : name + ".csv")).string(), inventory));
     if (!failed_) console_.say(name + ": " + (frames ? std::to_string(inventory.frames->frames.size()) + " frames" : std::to_string(inventory.stems.size()) + " stems"));
   }
   void truth(const std::string& file, const std::string& text) {
     if (!failed_) take(write_whole_file((fs::path(folder_) / "truth" / file).string(), text));
   }
-  ExitCode code() const { return failed_ ? ExitCode::failed : ExitCode::done; }
+  ExitCode finish(Session& session) const {
+    if (failed_) return ExitCode::failed;
+    return session.write_json(result_json({{"output", folder_}, {"surveys", written_}, {"truth", std::vector<std::string>{"truth/trees.csv", "truth/poses.json"}}}));
+  }
 
  private:
   void take(const Result<Done>& done) {
@@ -39,6 +44,7 @@ class FolderWriter {
 
   std::string folder_;
   Console& console_;
+  std::vector<std::string> written_;
   bool failed_ = false;
 };
 
@@ -51,7 +57,7 @@ ExitCode write_forest(const SimulatedForest& forest, const SimulateOptions& opti
   }
   writer.truth("trees.csv", truth_trees_csv(forest, names));
   writer.truth("poses.json", truth_poses_json(forest, names));
-  return writer.code();
+  return writer.finish(session);
 }
 
 ExitCode resurvey(const SimulateOptions& options, const SimulateSettings& settings, Session& session) {
@@ -67,7 +73,7 @@ ExitCode resurvey(const SimulateOptions& options, const SimulateSettings& settin
   writer.survey("resurvey", forest.surveys.front().inventory, inventory->frames != nullptr);
   writer.truth("trees.csv", truth_trees_csv(forest, {"before", "resurvey"}));
   writer.truth("poses.json", truth_poses_json(forest, {"resurvey"}));
-  return writer.code();
+  return writer.finish(session);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
 #include "app/commands/project_commands.hpp"
+#include "app/result_json.hpp"
 #include "core/survey/tables.hpp"
 #include "render/snapshot.hpp"
 
@@ -45,7 +46,9 @@ ExitCode run_snapshot(const SnapshotOptions& options, Session& session) {
   settings.size = {options.width_px, options.height_px};
   const Result<Done> written = render::write_snapshot(project->state(), tables, *view, settings, options.output);
   session.console.issues(written.issues);
-  return written ? ExitCode::done : ExitCode::failed;
+  if (!written) return ExitCode::failed;
+  session.console.say(options.output + ": written");
+  return session.write_json(result_json({{"output", options.output}}));
 }
 
 }  // namespace stemwise

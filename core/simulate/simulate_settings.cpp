@@ -31,13 +31,14 @@ Issues SimulateSettings::check() const {
   Issues issues;
   const auto refuse = [&issues](const char* key, const char* text) { issues.push_back({Severity::error, "", 0, key, text, ""}); };
   if (stems < 1 || stems > 2'000'000) refuse("stems", "must be between 1 and 2,000,000");
-  if (area_ha < 0.0) refuse("area_ha", "must not be negative");
+  if (!(area_ha >= 0.0 && area_ha < 1e6)) refuse("area_ha", "must not be negative");
   if (area_ha > 0.0 && stems / area_ha > 20000.0) refuse("area_ha", "more than 20,000 stems to the hectare do not fit");
-  if (drop < 0.0 || drop >= 1.0) refuse("drop", "must be at least 0 and below 1");
-  if (false_stems < 0.0 || false_stems > 10.0) refuse("false_stems", "must be between 0 and 10");
-  if (position_noise_m < 0.0 || dbh_noise_cm < 0.0 || shift_m < 0.0) refuse("position_noise_m", "noise and shift must not be negative");
-  if (tilt_deg < 0.0 || tilt_deg > 45.0) refuse("tilt_deg", "must be between 0 and 45");
-  if (drift < 0.0 || drift > 0.5) refuse("drift", "must be between 0 and 0.5");
+  if (!(drop >= 0.0 && drop < 1.0)) refuse("drop", "must be at least 0 and below 1");
+  if (!(false_stems >= 0.0 && false_stems <= 10.0)) refuse("false_stems", "must be between 0 and 10");
+  const auto is_length = [](double length) { return length >= 0.0 && length < 1e6; };  // false for what is no number
+  if (!is_length(position_noise_m) || !is_length(dbh_noise_cm) || !is_length(shift_m)) refuse("position_noise_m", "noise and shift must not be negative");
+  if (!(tilt_deg >= 0.0 && tilt_deg <= 45.0)) refuse("tilt_deg", "must be between 0 and 45");
+  if (!(drift >= 0.0 && drift <= 0.5)) refuse("drift", "must be between 0 and 0.5");
   if (!std::is_sorted(dates.begin(), dates.end())) refuse("years", "must ascend");
   return issues;
 }

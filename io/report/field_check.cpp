@@ -4,7 +4,7 @@
 #include "io/replace_file.hpp"
 #include "io/report/drawing.hpp"
 #include "io/report/number_text.hpp"
-#include "io/write_whole_file.hpp"
+#include "io/replace_file.hpp"
 
 namespace stemwise {
 namespace {
@@ -82,7 +82,7 @@ Result<Done> write_field_check_gpx(const std::string& path, const FieldCheck& ch
     gpx += "<wpt lat=\"" + fixed(at->latitude_deg, 9) + "\" lon=\"" + fixed(at->longitude_deg, 9) + "\">" + (row.has_z ? "<ele>" + fixed(frame->given_height_m(*at), 2) + "</ele>" : "") + "<name>" +
            tree_label(row.tree) + "</name><desc>" + escape_markup(row.why + ways) + "</desc><sym>Flag, Red</sym></wpt>\n";
   }
-  return write_whole_file(path, gpx + "</gpx>\n");
+  return write_text_file(path, gpx + "</gpx>\n");
 }
 
 }  // namespace stemwise

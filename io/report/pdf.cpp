@@ -191,16 +191,12 @@ class PdfReport {
 
 }  // namespace
 
-Result<Done> write_report_pdf(const std::string& path, const ReportDocument& document) {
-  int pages = 0;
-  {
-    PdfCanvas counting("/dev/null", document.title, document.footer);
-    pages = PdfReport(counting, document, 0).print();
-  }
-  PdfCanvas canvas(path, document.title, document.footer);
+std::optional<std::string> report_pdf(const ReportDocument& document) {
+  PdfCanvas counting(document.title, document.footer);
+  const int pages = PdfReport(counting, document, 0).print();
+  PdfCanvas canvas(document.title, document.footer);
   PdfReport(canvas, document, pages).print();
-  if (canvas.finish()) return Done{};
-  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written", "does the folder exist, and may you write there?"});
+  return canvas.finish();
 }
 
 }  // namespace stemwise

@@ -128,12 +128,17 @@ std::string creation_date() {
 }  // namespace
 
 struct PdfCanvas::Impl {
+  std::string bytes;  ///< outlives the surface, which writes into it
   std::unique_ptr<cairo_surface_t, SurfaceDeleter> surface;
   std::unique_ptr<cairo_t, ContextDeleter> cr;
 };
 
-PdfCanvas::PdfCanvas(const std::string& path, const std::string& title, const std::string& software) : impl_(std::make_unique<Impl>()) {
-  impl_->surface.reset(cairo_pdf_surface_create(path.c_str(), page_width, page_height));
+PdfCanvas::PdfCanvas(const std::string& title, const std::string& software) : impl_(std::make_unique<Impl>()) {
+  const auto take = [](void* into, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(into)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  impl_->surface.reset(cairo_pdf_surface_create_for_stream(take, &impl_->bytes, page_width, page_height));
   cairo_surface_t* surface = impl_->surface.get();
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, software.c_str());
@@ -145,10 +150,11 @@ PdfCanvas::~PdfCanvas() = default;
 
 void PdfCanvas::end_page() { cairo_show_page(impl_->cr.get()); }
 
-bool PdfCanvas::finish() {
+std::optional<std::string> PdfCanvas::finish() {
   const bool drawn = cairo_status(impl_->cr.get()) == CAIRO_STATUS_SUCCESS;
   cairo_surface_finish(impl_->surface.get());
-  return drawn && cairo_surface_status(impl_->surface.get()) == CAIRO_STATUS_SUCCESS;
+  if (!drawn || cairo_surface_status(impl_->surface.get()) != CAIRO_STATUS_SUCCESS) return std::nullopt;
+  return std::move(impl_->bytes);
 }
 
 double PdfCanvas::text_width(const std::string& text, const TextStyle& style) {

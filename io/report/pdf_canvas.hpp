@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,14 @@ class PdfCanvas {
  public:
   static constexpr double page_width = 595.28, page_height = 841.89;
 
-  PdfCanvas(const std::string& path, const std::string& title, const std::string& software);
+  PdfCanvas(const std::string& title, const std::string& software);
   ~PdfCanvas();
   PdfCanvas(const PdfCanvas&) = delete;
   PdfCanvas& operator=(const PdfCanvas&) = delete;
 
   void end_page();
-  /// Finishes the file; false when anything went wrong on the way.
-  bool finish();
+  /// The whole PDF; nothing when anything went wrong on the way. In memory, since cairo aborts the process on a full disk.
+  std::optional<std::string> finish();
 
   double text_width(const std::string& text, const TextStyle& style);
   /// Width of its longest word.

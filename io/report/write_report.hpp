@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "core/base/result.hpp"
@@ -10,8 +11,8 @@ namespace stemwise {
 std::string report_html(const ReportDocument& document);
 /// All tables of the report, one below the other, each under its title; RFC 4180 with a UTF-8 byte order mark.
 std::string report_csv(const ReportDocument& document, char delimiter = ',', bool decimal_comma = false);
-/// A4 pages with page numbers and repeated table heads; fonts embedded.
-Result<Done> write_report_pdf(const std::string& path, const ReportDocument& document);
+/// A4 pages with page numbers and repeated table heads; fonts embedded. The bytes of the PDF; nothing when it cannot be drawn.
+std::optional<std::string> report_pdf(const ReportDocument& document);
 
 /// A workbook: a first sheet with the key figures and paragraphs, and one sheet per table, numbers as numbers.
 Result<Done> write_report_xlsx(const std::string& path, const ReportDocument& document);
