@@ -24,7 +24,9 @@ void add_common(CLI::App& app, CommonOptions& common) {
   app.add_option("--threads", common.threads, "Threads to use; the result does not depend on it (default: all)")
       ->check(CLI::Range(1, 4096))
       ->group("Common");
-  app.add_option("--seed", common.seed, "Seed of everything random (default 0)")->check(CLI::NonNegativeNumber)->group("Common");
+  app.add_option("--seed", common.seed, "Seed of everything random (default 0)")
+      ->check([](const std::string& text) { return text.starts_with("-") ? "expected a whole number of 0 or more, not " + text : std::string(); })
+      ->group("Common");
   app.add_option("--config", common.config, "JSON file of settings by their keys")->group("Common");
   app.add_option("--set", common.settings, "One setting, key=value; may be given again")->allow_extra_args(false)->group("Common");
   app.add_option("--json", common.json, "Write the machine-readable result to this file, - for stdout")->group("Common");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/column_names.hpp"
 #include "io/inventory_date.hpp"
 #include "io/read_inventory.hpp"
 
@@ -65,11 +66,17 @@ class OverrideReader {
 
 ReadOptions options_for(const std::string& name, const ReadOverrides& overrides, const OverrideReader& reader, Issues& issues) {
   ReadOptions options;
-  const auto pair_into = [](std::map<std::string, std::string>& into) {
-    return [&into](const std::string& text) { into[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1); };
+  const auto pair_into = [&issues](std::map<std::string, std::string>& into, const char* option) {
+    return [&into, &issues, option](const std::string& text) {
+      const std::string key = text.substr(0, text.find('='));
+      if (!column_kind_from(key)) issues.push_back(usage_error(std::string(option) + " " + text + ": there is no column of ours named " + key, "for example dbh, x, y, z, id, species"));
+      into[key] = text.substr(text.find('=') + 1);
+    };
   };
-  reader.each(overrides.map, name, pair_into(options.columns));
-  reader.each(overrides.unit, name, pair_into(options.units));
+  reader.each(overrides.map, name, pair_into(options.columns, "--map"));
+  reader.each(overrides.unit, name, pair_into(options.units, "--unit"));
+  for (const auto& [key, unit] : options.units)
+    if (unit_from_word(unit).empty()) issues.push_back(usage_error("--unit " + key + "=" + unit + ": there is no such unit", "m, dm, cm, mm, ft, in, deg, gon or rad"));
   reader.each(overrides.sheet, name, [&](const std::string& text) { options.sheet = text; });
   reader.each(overrides.plot_column, name, [&](const std::string& text) { options.plot_column = text; });
   reader.each(overrides.plot, name, [&](const std::string& text) { options.plot = text; });
