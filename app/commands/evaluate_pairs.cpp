@@ -147,7 +147,7 @@ class PairsRun {
   ExitCode write() {
     session_.console.end_progress();
     Issues wrong;
-    if (!options_.csv.empty()) wrong = write_text_file(options_.csv, pairs_csv(pairs_));
+    if (!options_.csv.empty()) wrong = write_result(options_.csv, pairs_csv(pairs_));
     for (const PairResult& pair : pairs_) {
       if (!options_.plots.empty() && !has_error(wrong))
         wrong = write_evaluation_plots(pair.evaluation, pair.about, options_.plots, pair.about.query + "_in_" + pair.about.map + "_");

@@ -181,7 +181,7 @@ class SweepRun {
     session_.console.end_progress();
     if (!session_.common.quiet && session_.common.json != "-") std::cout << table_text(rows_, true) << std::flush;
     if (!options_.output.empty()) {
-      const Issues wrong = write_text_file(options_.output, table_text(rows_, options_.output.ends_with(".md")));
+      const Issues wrong = write_result(options_.output, table_text(rows_, options_.output.ends_with(".md")));
       session_.console.issues(wrong);
       if (has_error(wrong)) return ExitCode::failed;
     }
