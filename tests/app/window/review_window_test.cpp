@@ -67,7 +67,7 @@ TEST_F(WindowTest, TenRowsDecidedByKeysOnlyComeInTheOrderOfTheirDoubt) {
   const auto question = [&](const QueueRow& q) { return std::pair(q.tree, q.match ? model().document.derived().tables.matches[*q.match].b : StemRef{}); };
   std::set<std::pair<TreeId, StemRef>> seen;
   const ui::ActionId decisions[] = {ui::ActionId::review_accept, ui::ActionId::review_reject, ui::ActionId::review_unlink};
-  int rejected = 0;
+  int rejected = 0, matches = 0;
   for (int i = 0; i < 10; ++i) {
     window().press(ui::ActionId::review_next);
     window().settle();
@@ -83,8 +83,7 @@ TEST_F(WindowTest, TenRowsDecidedByKeysOnlyComeInTheOrderOfTheirDoubt) {
       EXPECT_FALSE(other.doubt > doubt->doubt && other.doubt < last_doubt) << tree_label(other.tree);
     }
     last_doubt = doubt->doubt;
-    ui::ActionId decision = decisions[i % 3];
-    if (!doubt->match) decision = ui::ActionId::review_accept;
+    const ui::ActionId decision = doubt->match ? decisions[++matches % 3] : ui::ActionId::review_accept;
     rejected += decision == ui::ActionId::review_reject ? 1 : 0;
     const std::size_t entries = state().edit_log.size();
     window().press(decision);
