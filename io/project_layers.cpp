@@ -75,7 +75,9 @@ class LayerMaker {
       f.values.insert(f.values.end(), 3, LayerValue());
       return;
     }
-    f.values.insert(f.values.end(), {LayerValue(p->x()), LayerValue(p->y()), has_z ? LayerValue(p->z()) : LayerValue()});
+    f.values.push_back(p->x());
+    f.values.push_back(p->y());
+    f.values.push_back(has_z ? LayerValue(p->z()) : LayerValue());
     f.corners.push_back({p->x(), p->y(), has_z ? p->z() : unknown_height});
   }
 
@@ -116,6 +118,15 @@ class LayerMaker {
     return l;
   }
 
+  /// The survey that the merged diameter is from; of a mean all of them.
+  std::string dbh_source(const TreeRow& row) const {
+    if (row.dbh_source || !row.dbh_m) return name(row.dbh_source);
+    std::string all;
+    for (std::size_t i = 0; i < tables_.inventories.size() && i < row.dbh_per_inventory_m.size(); ++i)
+      if (row.dbh_per_inventory_m[i]) all += (all.empty() ? "mean of " : ", ") + name(tables_.inventories[i]);
+    return all;
+  }
+
   LayerFeature tree(const TreeRow& row) const {
     LayerFeature f;
     f.values.push_back(label(row.tree));
@@ -124,7 +135,7 @@ class LayerMaker {
     f.values.push_back(g ? LayerValue(g->longitude_deg) : LayerValue());
     f.values.push_back(g ? LayerValue(g->latitude_deg) : LayerValue());
     f.values.push_back(g && row.has_z ? LayerValue(frame_.given_height_m(*g)) : LayerValue());
-    f.values.insert(f.values.end(), {LayerValue(frame_.position_sd_m(row.position_m, row.position_sd_m)), cm(row.dbh_m), LayerValue(name(row.dbh_source)), LayerValue(row.species),
+    f.values.insert(f.values.end(), {LayerValue(frame_.position_sd_m(row.position_m, row.position_sd_m)), cm(row.dbh_m), LayerValue(dbh_source(row)), LayerValue(row.species),
                                      LayerValue(to_string(row.fate)), LayerValue(name(row.first_seen)), LayerValue(name(row.last_seen)),
                                      LayerValue(std::int64_t{row.times_seen})});
     for (std::size_t i = 0; i < tables_.inventories.size(); ++i) {

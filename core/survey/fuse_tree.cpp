@@ -14,7 +14,8 @@ struct Chosen {
 Chosen mean_dbh(const std::vector<const Sighting*>& measured) {
   double sum = 0.0;
   for (const Sighting* s : measured) sum += *s->stem->dbh_m;
-  return {sum / static_cast<double>(measured.size()), measured.back()->ref.inventory};
+  // A mean of several comes from no one survey.
+  return {sum / static_cast<double>(measured.size()), measured.size() == 1 ? measured.front()->ref.inventory : InventoryId{}};
 }
 
 Chosen choose_dbh(std::span<const Sighting> sightings, FusionPolicy policy) {
