@@ -45,6 +45,10 @@ bool contains(const Polygon& polygon, const Eigen::Vector2d& point_m) {
   Eigen::Vector2d a = polygon.corners_m.back() - point_m;
   for (const Eigen::Vector2d& corner : polygon.corners_m) {
     const Eigen::Vector2d b = corner - point_m;
+    if (std::min(a.y(), b.y()) > on_edge_m || std::max(a.y(), b.y()) < -on_edge_m) {  // neither met nor crossed
+      a = b;
+      continue;
+    }
     if (distance_to_segment_m(a, b) <= on_edge_m) return true;
     if ((a.y() > 0.0) != (b.y() > 0.0) && (cross(a, b - a) > 0.0) == (b.y() > a.y())) inside = !inside;
     a = b;

@@ -210,37 +210,46 @@ RasterMask RasterMask::eroded(double radius_m) const {
   return result;
 }
 
-std::vector<RasterMask> RasterMask::parts() const {
-  std::vector<RasterMask> found;
-  std::vector<std::uint8_t> left = cells_;
-  std::vector<std::size_t> stack;
+std::vector<std::vector<std::size_t>> RasterMask::connected(bool inside) const {
+  std::vector<std::vector<std::size_t>> found;
+  std::vector<std::uint8_t> left(cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i) left[i] = (cells_[i] != 0) == inside ? 1 : 0;
   const auto columns = static_cast<std::size_t>(columns_);
   for (std::size_t start = 0; start < left.size(); ++start) {
     if (left[start] == 0) continue;
-    RasterMask part = blank();
-    stack.assign(1, start);
+    std::vector<std::size_t>& part = found.emplace_back(1, start);
     left[start] = 0;
-    while (!stack.empty()) {
-      const std::size_t c = stack.back();
-      stack.pop_back();
-      part.cells_[c] = 1;
-      for (const std::size_t n : {c - 1, c + 1, c - columns, c + columns})  // the margin keeps these inside
-        if (n < left.size() && left[n] != 0) left[n] = 0, stack.push_back(n);
+    for (std::size_t done = 0; done < part.size(); ++done) {
+      const std::size_t c = part[done], x = c % columns;
+      const auto take = [&](std::size_t n) {
+        if (left[n] != 0) left[n] = 0, part.push_back(n);
+      };
+      if (x > 0) take(c - 1);
+      if (x + 1 < columns) take(c + 1);
+      if (c >= columns) take(c - columns);
+      if (c + columns < left.size()) take(c + columns);
     }
-    found.push_back(std::move(part));
   }
-  std::stable_sort(found.begin(), found.end(), [](const RasterMask& a, const RasterMask& b) { return a.count() > b.count(); });
   return found;
 }
 
+std::size_t RasterMask::part_count() const { return connected(true).size(); }
+
+RasterMask RasterMask::largest_part() const {
+  const auto parts = connected(true);
+  RasterMask result = blank();
+  const auto largest = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (largest != parts.end())
+    for (const std::size_t c : *largest) result.cells_[c] = 1;
+  return result;
+}
+
 RasterMask RasterMask::without_holes(double area_sq_m) const {
-  RasterMask outside = blank();
-  for (std::size_t i = 0; i < cells_.size(); ++i) outside.cells_[i] = cells_[i] != 0 ? 0 : 1;
   RasterMask result = *this;
-  for (const RasterMask& part : outside.parts()) {
-    const bool border = part.cells_.front() != 0;  // the first cell is in the margin
-    if (border || part.area_sq_m() >= area_sq_m) continue;
-    for (std::size_t i = 0; i < cells_.size(); ++i) result.cells_[i] = static_cast<std::uint8_t>(result.cells_[i] | part.cells_[i]);
+  for (const std::vector<std::size_t>& part : connected(false)) {
+    const bool border = part.front() == 0;  // the first cell is in the margin
+    if (border || static_cast<double>(part.size()) * cell_m_ * cell_m_ >= area_sq_m) continue;
+    for (const std::size_t c : part) result.cells_[c] = 1;
   }
   return result;
 }

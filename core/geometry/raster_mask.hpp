@@ -23,8 +23,9 @@ class RasterMask {
   /// All within `radius_m` of it / all farther than `radius_m` from what is outside it (Euclidean, by cell centres).
   RasterMask dilated(double radius_m) const;
   RasterMask eroded(double radius_m) const;
-  /// Its connected parts (over edges), largest first.
-  std::vector<RasterMask> parts() const;
+  /// How many parts it has that hang together over edges, and the largest of them (the first of equals; empty when it is).
+  std::size_t part_count() const;
+  RasterMask largest_part() const;
   /// The same without holes smaller than `area_sq_m`.
   RasterMask without_holes(double area_sq_m) const;
 
@@ -39,6 +40,7 @@ class RasterMask {
   }
   std::size_t place(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x); }
   RasterMask blank() const;
+  std::vector<std::vector<std::size_t>> connected(bool inside) const;  ///< cells in (not in) it that hang together, part by part
   std::vector<double> distance_sq_to(bool inside) const;  ///< per cell, in cells squared, to the nearest cell that is (not) in it
   std::vector<std::vector<Eigen::Vector2d>> rings() const;
 

@@ -107,6 +107,12 @@ struct SearchPlan {
   double log_poses = 0.0;
 };
 
+/// So far above chance, and above every other pose, that no further scene or model is asked.
+bool overwhelming_lead(const std::vector<ScoredPose>& best, double log_poses) {
+  const double lead = best_of(best, 0) - best_of(best, 1);
+  return best_of(best, 0) - log_poses >= overwhelming && lead >= 0.5 * best_of(best, 0);
+}
+
 /// Goes through scenes and models; stops early once a pose is overwhelming. Returns how many scenes were asked.
 std::size_t search_all(Search& s, const SearchPlan& plan, std::size_t scene_limit, bool may_stop, const Progress& progress, const std::string& text) {
   const std::size_t count = std::min(scene_limit, plan.scenes.size());
@@ -114,8 +120,7 @@ std::size_t search_all(Search& s, const SearchPlan& plan, std::size_t scene_limi
     for (std::size_t m = 0; m < plan.bank.size(); ++m) {
       progress.at(static_cast<double>(k * plan.bank.size() + m) / static_cast<double>(count * plan.bank.size()), text);
       search_scene(s, plan.scenes[k], plan.bank[m], progress);
-      const double lead = best_of(s.best, 0) - best_of(s.best, 1);
-      if (may_stop && best_of(s.best, 0) - plan.log_poses >= overwhelming && lead >= 0.5 * best_of(s.best, 0)) return k + 1;
+      if (may_stop && overwhelming_lead(s.best, plan.log_poses)) return k + 1;
     }
   return count;
 }
@@ -298,6 +303,7 @@ ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const Li
   fill_acceptance(result, search, 0.0, plan.log_poses);
   const bool refused = accept_pose(result.acceptance, settings).status == AlignmentStatus::failed;  // the decoy can only make it worse
   const std::size_t mirror_scenes = settled ? scenes : refused ? std::min(scenes, mirror_scenes_of_a_refusal) : std::max(scenes, mirror_scenes_at_least);
+  if (overwhelming_lead(search.best, plan.log_poses)) plan.bank = {search.best[0].fit.dbh};  // the decoy by the model that won
   const double mirror = mirror_score(a, b, plan, mirror_scenes, settings, search.vote, progress.stage(0.6, 1.0));
   fill_acceptance(result, search, mirror, plan.log_poses);
   Verdict verdict = accept_pose(result.acceptance, settings);

@@ -34,11 +34,11 @@ RasterMask footprint(std::span<const Eigen::Vector2d> points, double close_m, do
   for (double radius_m = close_m;; radius_m *= 1.5) {
     RasterMask mask(points, radius_m + margin_m, cell_m);
     for (const auto& p : points) mask.set(p);
-    RasterMask grown = mask.dilated(radius_m).parts().front();
+    RasterMask grown = mask.dilated(radius_m).largest_part();
     const auto held = std::count_if(points.begin(), points.end(), [&](const Eigen::Vector2d& p) { return grown.at(p); });
     if (static_cast<double>(held) < nearly_all * static_cast<double>(points.size())) continue;
     RasterMask shrunk = grown.eroded(std::max(0.0, radius_m - margin_m));
-    if (shrunk.count() == 0 || shrunk.parts().size() > 1) return grown;
+    if (shrunk.count() == 0 || shrunk.part_count() > 1) return grown;
     return shrunk;
   }
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/geometry/near_edge.hpp"
+
 namespace stemwise {
 namespace {
 
@@ -11,9 +13,8 @@ enum class Place { inside, edge, outside };
 Place place_in(const SurveyFootprint& survey, const Eigen::Vector2d& position_m) {
   if (survey.coverage_in_reference.empty()) return Place::inside;
   const double doubt_m = std::max(1.0, 2.0 * survey.position_noise_m);
-  const bool inside = contains(survey.coverage_in_reference, position_m);
-  if (distance_to_edge_m(survey.coverage_in_reference, position_m) < doubt_m) return Place::edge;
-  return inside ? Place::inside : Place::outside;
+  if (is_near_edge(survey.coverage_in_reference, position_m, doubt_m)) return Place::edge;
+  return contains(survey.coverage_in_reference, position_m) ? Place::inside : Place::outside;
 }
 
 Fate fate_of_new(const SurveyStep& step, const TreeAtStep& tree) {

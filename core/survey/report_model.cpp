@@ -243,6 +243,9 @@ ReportModel make_report_model(const ProjectState& state, const Tables& tables, c
   for (const GrowthRow& row : tables.growth) {
     if (index.contains(row.from) && index.contains(row.to)) model.growth.push_back(growth_of(tables, row, index));
   }
+  model.stand_growth = stand_growth(state, tables);
+  model.growth_groups = growth_groups(state, tables, options.dbh_class_width_cm);
+  model.changes = stand_changes(state, tables, {options.area_ha, options.dbh_class_width_cm});
   list_new_and_missing(state, tables, model);
   judge_growth(state, tables, model);
   return model;

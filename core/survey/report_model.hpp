@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/survey/growth_groups.hpp"
 #include "core/survey/rule_pack.hpp"
+#include "core/survey/stand_change.hpp"
+#include "core/survey/stand_growth.hpp"
 #include "core/survey/tables.hpp"
 
 namespace stemwise {
@@ -109,6 +112,9 @@ struct ReportModel {
   std::vector<ReportSurvey> surveys;   ///< placed ones by date, then the others
   std::size_t placed = 0;              ///< how many of `surveys` are placed
   std::vector<ReportGrowth> growth;
+  std::vector<StandGrowth> stand_growth;  ///< one per step, with intervals
+  GrowthGroups growth_groups;          ///< by species and DBH class
+  std::vector<StandChange> changes;    ///< components of change, one per step
   std::vector<ReportDbhClass> dbh_classes;
   std::vector<int> without_dbh;        ///< living stems without a DBH, per placed survey
   std::vector<ReportStem> new_stems;   ///< ingrowth and missed earlier, of the survey that saw them first

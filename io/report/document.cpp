@@ -229,8 +229,8 @@ ReportDocument make_report_document(const ReportModel& model, const std::string&
   for (std::size_t i = 0; i < model.placed; ++i) document.subtitle += (i == 0 ? "Surveys " : ", ") + model.surveys[i].name;
   document.footer = software;
   document.cover = cover_of(model, software);
-  document.sections = {survey_section(model), fate_section(model),  growth_section(model),           structure_section(model),
-                       flag_section(model),   list_section(model), method_section(model, software), dictionary_section()};
+  document.sections = {survey_section(model), fate_section(model),  growth_section(model), interval_section(model),          change_section(model),
+                       structure_section(model), flag_section(model), list_section(model),   method_section(model, software), dictionary_section()};
   return document;
 }
 

@@ -4,6 +4,10 @@
 
 namespace stemwise {
 
+/// What the stock became between two surveys: increment, components, by species and by DBH class.
+ReportSection change_section(const ReportModel& model);
+/// DBH growth of the stand, of each species and of each DBH class, with intervals.
+ReportSection interval_section(const ReportModel& model);
 /// What the chosen rules flag, what the other packs would flag, and every flagged tree.
 ReportSection flag_section(const ReportModel& model);
 /// How the figures came about: method, georeference with its residuals, settings and seed.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
+#include "core/geometry/near_edge.hpp"
 
 namespace stemwise {
 namespace {
@@ -43,6 +44,24 @@ TEST(Polygon, DistanceToTheEdgeIsThatToTheNearestSideInsideAndOutside) {
   EXPECT_DOUBLE_EQ(distance_to_edge_m(p, {5, 2}), 2.0);
   EXPECT_DOUBLE_EQ(distance_to_edge_m(p, {5, -3}), 3.0);
   EXPECT_DOUBLE_EQ(distance_to_edge_m(p, {13, 14}), 5.0);
+}
+
+TEST(Polygon, IsNearItsEdgeWhereTheDistanceToTheEdgeIsBelowTheLimit) {
+  Random random(5);
+  Polygon star;
+  for (int i = 0; i < 90; ++i) {
+    const double radius_m = random.uniform(20, 50), angle = 2.0 * 3.14159265358979 * i / 90.0;
+    star.corners_m.emplace_back(radius_m * std::cos(angle), radius_m * std::sin(angle));
+  }
+  int near = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector2d p(random.uniform(-60, 60), random.uniform(-60, 60));
+    const bool said = is_near_edge(star, p, 2.5);
+    EXPECT_EQ(said, distance_to_edge_m(star, p) < 2.5);
+    near += said ? 1 : 0;
+  }
+  EXPECT_GT(near, 100);
+  EXPECT_LT(near, 1900);
 }
 
 TEST(Polygon, ConvexHullHoldsEveryPointAndTurnsLeftEverywhere) {
