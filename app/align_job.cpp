@@ -1,10 +1,15 @@
 #include "app/align_job.hpp"
 
+#include <algorithm>
+
 #include "app/with_frames.hpp"
+#include "core/project/commands.hpp"
 #include "core/survey/coverage.hpp"
 
 namespace stemwise {
 namespace {
+
+using Surveys = std::vector<std::shared_ptr<const Inventory>>;
 
 void add_decisions(const ProjectState& state, AlignHints& hints) {
   for (const auto& [pair, match] : state.matches) {
@@ -30,20 +35,84 @@ void keep_base(const ProjectState& state, SurveyAlignment& result) {
     if (match.state == MatchState::automatic && state.is_placed(match.a.inventory) && state.is_placed(match.b.inventory)) result.matches.push_back(match);
 }
 
-}  // namespace
-
-AlignOutcome align_project(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress) {
-  add_decisions(state, hints);
-  std::vector<std::shared_ptr<const Inventory>> held;
-  std::vector<const Inventory*> inventories;
-  std::vector<std::string> notes;
+Surveys surveys_with_frames(const ProjectState& state, int threads, std::vector<std::string>& notes, const Progress& progress) {
+  Surveys surveys;
   for (const auto& inventory : state.inventories) {
     progress.at(0.0, "Reading " + inventory->name);
-    held.push_back(with_frames(inventory, settings.threads, notes));
-    inventories.push_back(held.back().get());
+    surveys.push_back(with_frames(inventory, threads, notes));
   }
+  return surveys;
+}
+
+bool is_decided(InventoryId id, const ProjectState& state, const AlignHints& hints) {
+  const auto touches = [&](const AlignHints::SameTree& pair) { return pair.a.inventory == id || pair.b.inventory == id; };
+  const auto by_hand = [&](const auto& entry) {
+    const TreeRecord& tree = entry.second;
+    const bool spoken_of = tree.fate_by_hand || !tree.note.empty();
+    return spoken_of && std::any_of(tree.stems.begin(), tree.stems.end(), [&](const StemRef& stem) { return stem.inventory == id; });
+  };
+  return std::any_of(hints.same_tree.begin(), hints.same_tree.end(), touches) || std::any_of(hints.not_same.begin(), hints.not_same.end(), touches) ||
+         std::any_of(state.trees.begin(), state.trees.end(), by_hand);
+}
+
+/// Stems are made anew only where nothing was said about them yet.
+std::vector<bool> free_to_correct(const ProjectState& state, const AlignHints& hints) {
+  std::vector<bool> free;
+  for (const auto& inventory : state.inventories) {
+    const bool has_place = !state.alignments.empty() && state.is_placed(inventory->id);
+    free.push_back(inventory->frames && !has_place && !is_decided(inventory->id, state, hints));
+  }
+  return free;
+}
+
+/// Drift taken out of `surveys`; the notes are the report's.
+Surveys correct(const ProjectState& state, Surveys& surveys, const AlignJobSettings& settings, const AlignHints& hints, std::vector<std::string>& notes,
+                const Progress& progress) {
+  RegisterSettings registering = settings.registering;
+  registering.scenes = settings.align.scenes;
+  registering.lists = settings.align.lists;
+  const Registered registered = correct_trajectories(surveys, free_to_correct(state, hints), registering, settings.align.threads, progress);
+  notes.insert(notes.end(), registered.report.notes.begin(), registered.report.notes.end());
+  Surveys corrected;
+  for (std::size_t s = 0; s < surveys.size(); ++s)
+    if (registered.corrected[s]) corrected.push_back(surveys[s] = registered.corrected[s]);
+  return corrected;
+}
+
+/// Of inventories in one coordinate system the pose is near the identity: what GNSS and a compass are off by.
+bool add_crs_priors(const ProjectState& state, const SurveyAlignment& tried, AlignHints& hints) {
+  const std::size_t given = hints.rough_poses.size();
+  for (const InventoryAlignment& a : tried.inventories) {
+    if (a.status != AlignmentStatus::failed && a.status != AlignmentStatus::probable) continue;
+    const Inventory& inventory = *state.find(a.inventory);
+    AlignHints::RoughPose prior;
+    prior.inventory = a.inventory;
+    prior.same_stand = true;
+    for (const Stem& stem : inventory.stems) prior.about_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(inventory.stems.size());
+    hints.rough_poses.push_back(prior);
+  }
+  return hints.rough_poses.size() > given;
+}
+
+}  // namespace
+
+Fields AlignJobSettings::fields() {
+  Fields all = align.fields();
+  for (const Field& field : registering.fields()) all.push_back(field);
+  return all;
+}
+
+AlignOutcome align_project(const ProjectState& state, const AlignJobSettings& settings, AlignHints hints, const Progress& progress) {
+  add_decisions(state, hints);
+  std::vector<std::string> notes;
+  Surveys surveys = surveys_with_frames(state, settings.align.threads, notes, progress);
   AlignOutcome outcome;
-  outcome.alignment = align_surveys(inventories, state.reference, settings, hints, progress);
+  outcome.corrected = correct(state, surveys, settings, hints, notes, progress.stage(0.0, 0.2));
+  std::vector<const Inventory*> inventories;
+  for (const auto& survey : surveys) inventories.push_back(survey.get());
+  outcome.alignment = align_surveys(inventories, state.reference, settings.align, hints, progress.stage(0.2, settings.one_crs ? 0.6 : 1.0));
+  if (settings.one_crs && add_crs_priors(state, outcome.alignment, hints))
+    outcome.alignment = align_surveys(inventories, state.reference, settings.align, hints, progress.stage(0.6, 1.0));
   outcome.alignment.notes.insert(outcome.alignment.notes.begin(), notes.begin(), notes.end());
   for (const Inventory* inventory : inventories) {
     progress.check();
@@ -52,12 +121,22 @@ AlignOutcome align_project(const ProjectState& state, const AlignSettings& setti
   return outcome;
 }
 
-AlignOutcome align_added(const ProjectState& state, const AlignSettings& settings, AlignHints hints, const Progress& progress) {
+AlignOutcome align_added(const ProjectState& state, const AlignJobSettings& settings, AlignHints hints, const Progress& progress) {
   hints.base = base_of(state);
   AlignOutcome outcome = align_project(state, settings, std::move(hints), progress);
   keep_base(state, outcome.alignment);
   std::erase_if(outcome.coverages, [&](const auto& entry) { return state.coverages.contains(entry.first); });
   return outcome;
+}
+
+CommandPtr apply_outcome(AlignOutcome outcome) {
+  CommandPtr alignment = apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages));
+  if (outcome.corrected.empty()) return alignment;
+  std::string label = alignment->label();
+  std::vector<CommandPtr> commands;
+  for (auto& inventory : outcome.corrected) commands.push_back(replace_inventory(std::move(inventory)));
+  commands.push_back(std::move(alignment));
+  return group(std::move(label), std::move(commands));
 }
 
 }  // namespace stemwise

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "app/align_job.hpp"
+#include "app/commands/placement.hpp"
 #include "app/hint_file.hpp"
 #include "app/load_inventories.hpp"
 #include "core/project/commands.hpp"
-#include "core/survey/register_trajectories.hpp"
 #include "io/crs.hpp"
 #include "io/project_file.hpp"
 
@@ -32,11 +31,11 @@ ExitCode add_all(std::vector<Inventory> inventories, const AlignOptions& options
   return ExitCode::done;
 }
 
-AlignSettings settings_of(const AlignOptions& options, const Session& session) {
-  AlignSettings settings;
-  settings.seed = session.common.seed;
-  settings.threads = session.common.threads;
-  settings.accept_probable = options.accept_probable;
+AlignJobSettings settings_of(const AlignOptions& options, const Session& session) {
+  AlignJobSettings settings;
+  settings.align.seed = session.common.seed;
+  settings.align.threads = session.common.threads;
+  settings.align.accept_probable = options.accept_probable;
   return settings;
 }
 
@@ -53,37 +52,12 @@ ExitCode read_hints(const AlignOptions& options, const Project& project, Console
   return ExitCode::done;
 }
 
-/// The system that --crs names; nothing without it, or after having said what is wrong.
-std::optional<int> crs_of(const AlignOptions& options, Console& console, ExitCode& code) {
-  if (options.crs.empty()) return std::nullopt;
-  int epsg = 0;
-  char end = 0;
-  const bool read = std::sscanf(options.crs.c_str(), "EPSG:%d%c", &epsg, &end) == 1 || std::sscanf(options.crs.c_str(), "epsg:%d%c", &epsg, &end) == 1;
-  if (read && is_known_epsg(epsg) && !is_geographic_epsg(epsg)) return epsg;
-  console.error("--crs " + options.crs + ": expected EPSG:N of a projected system, for example EPSG:32632");
-  code = ExitCode::usage;
-  return std::nullopt;
-}
-
-/// Of inventories in one coordinate system the pose is near the identity: what GNSS and a compass are off by.
-void add_crs_priors(const ProjectState& state, const SurveyAlignment& tried, AlignHints& hints) {
-  for (const InventoryAlignment& a : tried.inventories) {
-    if (a.status != AlignmentStatus::failed && a.status != AlignmentStatus::probable) continue;
-    const Inventory& inventory = *state.find(a.inventory);
-    AlignHints::RoughPose prior;
-    prior.inventory = a.inventory;
-    prior.same_stand = true;
-    for (const Stem& stem : inventory.stems) prior.about_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(inventory.stems.size());
-    hints.rough_poses.push_back(prior);
-  }
-}
-
-Georeference georeference_of_crs(int epsg) {
-  Georeference georeference;
-  georeference.kind = GeoreferenceKind::crs;
-  georeference.epsg = epsg;
-  georeference.method = "CRS " + crs_name(epsg);
-  return georeference;
+/// --crs: the reference's coordinates are the earth's.
+ExitCode place_reference(const AlignOptions& options, Project& project, Console& console) {
+  if (options.crs.empty()) return ExitCode::done;
+  const Placement placement = place_in_crs(*epsg_from(options.crs), *project.state().find(project.state().reference), console);
+  if (placement.code == ExitCode::done) project.execute(set_georeference(placement.georeference));
+  return placement.code;
 }
 
 /// A project as the first input is the base that the others are added to: opened, and taken off the list.
@@ -117,42 +91,30 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   std::vector<std::string> paths = options.inventories;
   if (const ExitCode code = open_base(options, paths, run, session.console); code != ExitCode::done) return ended(code);
   const bool based = !run.project.state().alignments.empty(), added = !paths.empty();
-  AlignSettings settings = settings_of(options, session);
-  RegisterSettings registering;
-  Fields fields = settings.fields();
-  for (const Field& field : registering.fields()) fields.push_back(field);
-  if (const ExitCode code = session.apply_settings(fields); code != ExitCode::done) return ended(code);
-  registering.scenes = settings.scenes;
-  registering.lists = settings.lists;
-  ExitCode usage = ExitCode::done;
-  const std::optional<int> epsg = crs_of(options, session.console, usage);
-  if (usage != ExitCode::done) return ended(usage);
+  AlignJobSettings settings = settings_of(options, session);
+  if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return ended(code);
+  if (!options.crs.empty() && !epsg_from(options.crs)) {
+    session.console.error("--crs " + options.crs + ": expected EPSG:N of a projected system, for example EPSG:32632");
+    return ended(ExitCode::usage);
+  }
   const Progress progress = session.progress();
   LoadedInventories loaded = load_inventories(paths, options.read, session, progress.stage(0.0, 0.3));
   if (loaded.code != ExitCode::done) return ended(loaded.code, loaded.problem);
   const double read_s = seconds_since(start);
-  Registered registered = with_registered_trajectories(std::move(loaded.inventories), registering, settings.threads, progress.stage(0.3, 0.4));
-  if (const ExitCode code = add_all(std::move(registered.surveys), options, run.project, session.console); code != ExitCode::done) return ended(code);
+  if (const ExitCode code = add_all(std::move(loaded.inventories), options, run.project, session.console); code != ExitCode::done) return ended(code);
+  if (const ExitCode code = place_reference(options, run.project, session.console); code != ExitCode::done) return ended(code);
   remember_settings(session, run.project);
   AlignHints hints;
   if (const ExitCode code = read_hints(options, run.project, session.console, hints); code != ExitCode::done) return ended(code);
 
-  const ProjectState& state = run.project.state();
-  const auto work = based && added ? align_added : align_project;
-  AlignOutcome outcome = work(state, settings, hints, progress.stage(0.4, epsg ? 0.65 : 0.95));
-  if (epsg) {
-    const std::size_t given = hints.rough_poses.size();
-    add_crs_priors(state, outcome.alignment, hints);
-    if (hints.rough_poses.size() > given) outcome = work(state, settings, hints, progress.stage(0.65, 0.95));
-    run.project.execute(set_georeference(georeference_of_crs(*epsg)));
-  }
+  settings.one_crs = !options.crs.empty();
+  AlignOutcome outcome = (based && added ? align_added : align_project)(run.project.state(), settings, hints, progress.stage(0.3, 0.95));
   run.timing = outcome.alignment.timing;
   session.console.end_progress();
-  for (const std::string& note : registered.report.notes) session.console.say("note: " + note);
   for (const std::string& note : outcome.alignment.notes) session.console.say("note: " + note);
-  run.project.execute(apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages)));
+  run.project.execute(apply_outcome(std::move(outcome)));
   run.tables = derive_tables(run.project.state());
-  run.seed = settings.seed;
+  run.seed = settings.align.seed;
   run.timing.read_s = read_s;
   run.timing.total_s = seconds_since(start);
   return run;

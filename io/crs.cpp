@@ -1,5 +1,6 @@
 #include "io/crs.hpp"
 
+#include <cstdio>
 #include <ogr_spatialref.h>
 
 #include <cmath>
@@ -61,6 +62,13 @@ std::optional<Eigen::Vector3d> CrsTransform::operator()(const Eigen::Vector3d& p
   double z = point.z();
   if (!impl_->transformation->Transform(1, &x, &y, &z) || !std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
   return Eigen::Vector3d(x, y, z);
+}
+
+std::optional<int> epsg_from(const std::string& text) {
+  int epsg = 0;
+  char end = 0;
+  if (std::sscanf(text.c_str(), "EPSG:%d%c", &epsg, &end) == 1 || std::sscanf(text.c_str(), "epsg:%d%c", &epsg, &end) == 1) return epsg;
+  return std::nullopt;
 }
 
 int utm_epsg_of(double longitude_deg, double latitude_deg) {

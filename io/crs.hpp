@@ -28,6 +28,8 @@ class CrsTransform {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The code of "EPSG:25832", in capitals or not; nothing for any other text. Whether there is such a system is not asked.
+std::optional<int> epsg_from(const std::string& text);
 /// EPSG code of the UTM zone (WGS 84) of a position in degrees; zones 32V and 31X..37X as they are.
 int utm_epsg_of(double longitude_deg, double latitude_deg);
 /// True for EPSG codes that PROJ knows.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 
 #include "io/crs.hpp"
 #include "io/inventory_date.hpp"
@@ -319,6 +321,25 @@ void note_counts(const StemMaker& made, Inventory& inventory) {
   if (measured < made.stems_.size()) inventory.source.notes.push_back("stems without a measured DBH: " + std::to_string(made.stems_.size() - measured));
 }
 
+/// Stems that stand apart under one id: several stems of one tree share it rightly, two trees do not. Plots may each
+/// count their own.
+Issues warn_of_repeated_ids(const StemTable& table, const StemColumns& columns, const std::vector<Stem>& stems) {
+  constexpr double one_tree_m = 2.0;
+  if (!columns[K::id] || columns.tag || !plot_columns_with_several_values(table).empty()) return {};
+  std::unordered_map<std::string_view, const Stem*> first;
+  std::size_t repeated = 0;
+  Issue issue{Severity::warning, table.file, 0, table.header[*columns[K::id]], {}, "matches are named by these ids: give every tree its own"};
+  for (const Stem& stem : stems) {
+    const auto [earlier, is_new] = first.try_emplace(stem.source_id, &stem);
+    if (is_new || std::hypot(stem.x_m - earlier->second->x_m, stem.y_m - earlier->second->y_m) <= one_tree_m) continue;
+    if (repeated++ > 0) continue;
+    issue.row = stem.source_row;
+    issue.text = "\"" + stem.source_id + "\" is already the id of row " + std::to_string(earlier->second->source_row) + ", which stands elsewhere; both are kept";
+  }
+  if (repeated > 1) issue.text += " (and " + std::to_string(repeated - 1) + " more such rows)";
+  return repeated > 0 ? Issues{issue} : Issues{};
+}
+
 Issue nothing_usable(const StemTable& table) {
   const char* text = table.rows.empty() ? "has a header and no rows" : "no row is usable";
   return {Severity::error, table.file, table.header_row, {}, text, "check the delimiter and the columns, or name them with --map"};
@@ -364,6 +385,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   std::vector<double> x_m, y_m;
   for (const Stem& s : inventory.stems) x_m.push_back(s.x_m), y_m.push_back(s.y_m);
   for (Issue& issue : warn_of_overlapping_plots(table, made.rows_, x_m, y_m, columns->position.scheme == PositionScheme::polar)) issues.push_back(std::move(issue));
+  for (Issue& issue : warn_of_repeated_ids(table, *columns, inventory.stems)) issues.push_back(std::move(issue));
   set_dates(inventory, table, *columns, options);
   return {std::move(inventory), std::move(issues)};
 }

@@ -24,14 +24,11 @@ std::optional<ExportOptions> export_options(const ExportCommandOptions& given, C
     }
   }
   if (!given.crs.empty()) {
-    int epsg = 0;
-    char end = 0;
-    const bool read = std::sscanf(given.crs.c_str(), "EPSG:%d%c", &epsg, &end) == 1 || std::sscanf(given.crs.c_str(), "epsg:%d%c", &epsg, &end) == 1;
-    if (!read || !is_known_epsg(epsg)) {
+    options.epsg = epsg_from(given.crs);
+    if (!options.epsg || !is_known_epsg(*options.epsg)) {
       console.error("--crs " + given.crs + ": expected EPSG:N of a system that there is, for example EPSG:25832");
       return std::nullopt;
     }
-    options.epsg = epsg;
   }
   if (given.delimiter == "tab" || given.delimiter == "\\t") {
     options.delimiter = '\t';

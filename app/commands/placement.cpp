@@ -203,34 +203,38 @@ Placement place_by_anchor(const GeoreferenceOptions& options, const ProjectState
   return {ExitCode::done, georeference};
 }
 
-Placement place_by_crs(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
-  const std::string& text = options.crs;
-  int epsg = 0;
-  char end = 0;
-  if (std::sscanf(text.c_str(), "EPSG:%d%c", &epsg, &end) != 1 && std::sscanf(text.c_str(), "epsg:%d%c", &epsg, &end) != 1)
-    return placement_refused(console, ExitCode::usage, "--crs " + text + ": expected EPSG:N, for example EPSG:32632");
-  if (!is_known_epsg(epsg)) return placement_refused(console, ExitCode::usage, "--crs " + text + ": there is no such code");
-  if (is_geographic_epsg(epsg))
-    return placement_refused(console, ExitCode::usage, "--crs " + text + ": the coordinates are metres, so a projected system is needed");
-  const Inventory* inventory = chosen_inventory(options, state, console);
-  if (inventory == nullptr) return {ExitCode::usage, {}};
-  if (inventory->id != state.reference) return place_by_crs_of_another(options, state, epsg, *inventory, console);
+Placement place_in_crs(int epsg, const Inventory& inventory, Console& console) {
+  const std::string option = "--crs EPSG:" + std::to_string(epsg) + ": ";
+  if (!is_known_epsg(epsg)) return placement_refused(console, ExitCode::usage, option + "there is no such code");
+  if (is_geographic_epsg(epsg)) return placement_refused(console, ExitCode::usage, option + "the coordinates are metres, so a projected system is needed");
+  const Eigen::Vector3d middle_m = middle_of(inventory);
   const auto to_wgs84 = CrsTransform::between(epsg, wgs84_epsg);
-  const auto middle = to_wgs84 ? (*to_wgs84.value)(middle_of(*inventory)) : std::nullopt;
-  if (!middle) return placement_refused(console, ExitCode::failed, "--crs " + text + ": the coordinates of " + inventory->name + " have no place in it");
+  const auto middle = to_wgs84 ? (*to_wgs84.value)(middle_m) : std::nullopt;
+  if (!middle) return placement_refused(console, ExitCode::failed, option + "the coordinates of " + inventory.name + " have no place in it");
   constexpr double usual_margin_deg = 3.0;  // a country's zone is used a little beyond itself
-  const bool looks_local = middle_of(*inventory).head<2>().cwiseAbs().maxCoeff() < 20000.0;
+  const bool looks_local = middle_m.head<2>().cwiseAbs().maxCoeff() < 20000.0;
   if (!is_in_area_of_use(epsg, middle->y(), middle->x(), looks_local ? 0.0 : usual_margin_deg))
-    return placement_refused(console, ExitCode::failed, "--crs " + text + ": the coordinates of " + inventory->name + " would lie at latitude " + degrees_text(middle->y()) + ", longitude " +
-                                                            degrees_text(middle->x()) + ", where this system is not used; are they local coordinates? Then --anchor or --control place them");
+    return placement_refused(console, ExitCode::failed, option + "the coordinates of " + inventory.name + " would lie at latitude " + degrees_text(middle->y()) + ", longitude " +
+                                                            degrees_text(middle->x()) + ", where this system is not used; are they local coordinates? Then an anchor or control points place them");
   Georeference georeference;
   georeference.kind = GeoreferenceKind::crs;
   georeference.epsg = epsg;
   georeference.origin = {middle->y(), middle->x(), middle->z()};
-  georeference.anchored_point_m = middle_of(*inventory);
-  georeference.sd_m = options.sd_m.value_or(0.0);
+  georeference.anchored_point_m = middle_m;
   georeference.method = "CRS " + crs_name(epsg);
   return {ExitCode::done, georeference};
+}
+
+Placement place_by_crs(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
+  const std::optional<int> epsg = epsg_from(options.crs);
+  if (!epsg) return placement_refused(console, ExitCode::usage, "--crs " + options.crs + ": expected EPSG:N, for example EPSG:32632");
+  const Inventory* inventory = chosen_inventory(options, state, console);
+  if (inventory == nullptr) return {ExitCode::usage, {}};
+  Placement placement = place_in_crs(*epsg, *inventory, console);
+  if (placement.code != ExitCode::done) return placement;
+  if (inventory->id != state.reference) return place_by_crs_of_another(options, state, *epsg, *inventory, console);
+  placement.georeference.sd_m = options.sd_m.value_or(0.0);
+  return placement;
 }
 
 Placement place_by_control_points(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {

@@ -9,16 +9,16 @@ namespace stemwise {
 namespace {
 
 /// The project's settings, by the keys that --set takes; what does not fit is told.
-AlignSettings settings_of(const ProjectState& state, Issues& issues) {
-  AlignSettings settings;
+AlignJobSettings settings_of(const ProjectState& state, Issues& issues) {
+  AlignJobSettings settings;
   const Fields fields = settings.fields();
   for (const auto& [key, value] : state.settings) {
     if (key == "preset") {
-      settings.preset = value;
+      settings.align.preset = value;
     } else if (key == "seed") {
-      settings.seed = std::strtoull(value.c_str(), nullptr, 10);
+      settings.align.seed = std::strtoull(value.c_str(), nullptr, 10);
     } else if (key == "accept_probable") {
-      settings.accept_probable = value == "true";
+      settings.align.accept_probable = value == "true";
     } else if (!key.starts_with("rules.")) {  // those are for the tables, not for the alignment
       const Issues wrong = set_field(fields, key, value);
       issues.insert(issues.end(), wrong.begin(), wrong.end());
@@ -52,7 +52,7 @@ void tell_refusals(WindowModel& m) {
 JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome outcome) {
   if (m.document.revision() != revision) return {false, "The project was changed meanwhile: align again"};
   const std::vector<std::string> notes = outcome.alignment.notes;
-  m.execute(apply_alignment(std::move(outcome.alignment), std::move(outcome.coverages)));
+  m.execute(apply_outcome(std::move(outcome)));
   tell_refusals(m);
   Issues remarks;
   for (const std::string& note : notes) remarks.push_back(Issue{Severity::note, "", 0, "", note, ""});
@@ -70,7 +70,7 @@ JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome o
 
 void run_alignment(WindowModel& m) {
   Issues issues;
-  const AlignSettings settings = settings_of(m.document.state(), issues);
+  const AlignJobSettings settings = settings_of(m.document.state(), issues);
   m.notices.add_issues("Some settings were left out", issues);
   AlignHints hints;
   hints.rough_poses = m.rough_poses;

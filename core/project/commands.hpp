@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ CommandPtr add_inventory(Inventory inventory);
 CommandPtr remove_inventory(InventoryId id);
 CommandPtr rename_inventory(InventoryId id, std::string name);
 CommandPtr set_inventory_date(InventoryId id, std::optional<Date> date);
+/// The stems, frames and source of the inventory with that id, made anew; its name and date stay as they are in the project.
+/// Forgets what was said of its stems: matches, places in trees, an estimated coverage.
+CommandPtr replace_inventory(std::shared_ptr<const Inventory> inventory);
 CommandPtr set_reference(InventoryId id);  ///< forgets alignments and automatic matches
 /// Takes the result of align_surveys: poses, pairs and automatic matches replace the earlier ones, decisions by hand stay
 /// (linked stays linked, rejected stays rejected), tree ids stay wherever a tree keeps one of its stems.

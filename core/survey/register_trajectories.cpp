@@ -279,17 +279,27 @@ RegisterReport register_trajectories(const std::vector<Inventory>& surveys, cons
   return Registration(surveys, settings, threads).run(progress);
 }
 
-Registered with_registered_trajectories(std::vector<Inventory> surveys, const RegisterSettings& settings, int threads, const Progress& progress) {
-  RegisterReport report = register_trajectories(surveys, settings, threads, progress);
+Registered correct_trajectories(std::span<const std::shared_ptr<const Inventory>> surveys, const std::vector<bool>& free, const RegisterSettings& settings,
+                                int threads, const Progress& progress) {
+  std::vector<Inventory> taking_part;
   for (std::size_t s = 0; s < surveys.size(); ++s) {
-    if (!report.corrected[s]) continue;
-    surveys[s].frames = report.corrected[s];
-    surveys[s].stems.clear();
-    surveys[s] = with_global_stems(std::move(surveys[s]), {}, progress.stage(1.0, 1.0));
-    for (const std::string& note : report.notes)
-      if (note.starts_with(surveys[s].name + ": ")) surveys[s].source.notes.push_back(note);
+    taking_part.push_back(*surveys[s]);
+    if (!free[s]) taking_part.back().frames.reset();
   }
-  return {std::move(surveys), std::move(report)};
+  Registered result;
+  result.corrected.resize(surveys.size());
+  result.report = register_trajectories(taking_part, settings, threads, progress);
+  for (std::size_t s = 0; s < surveys.size(); ++s) {
+    if (!result.report.corrected[s]) continue;
+    Inventory corrected = *surveys[s];
+    corrected.frames = result.report.corrected[s];
+    corrected.stems.clear();
+    corrected = with_global_stems(std::move(corrected), {}, progress.stage(1.0, 1.0));
+    for (const std::string& note : result.report.notes)
+      if (note.starts_with(corrected.name + ": ")) corrected.source.notes.push_back(note);
+    result.corrected[s] = std::make_shared<const Inventory>(std::move(corrected));
+  }
+  return result;
 }
 
 }  // namespace stemwise

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,12 +55,13 @@ struct RegisterReport {
 RegisterReport register_trajectories(const std::vector<Inventory>& surveys, const RegisterSettings& settings, int threads, const Progress& progress);
 
 struct Registered {
-  std::vector<Inventory> surveys;
+  std::vector<std::shared_ptr<const Inventory>> corrected;  ///< per survey: with its stems made anew; null where nothing was to correct
   RegisterReport report;
 };
 
-/// The surveys with corrected trajectories and their stem lists made anew from them; others as they were. Notes go to their
-/// source too.
-Registered with_registered_trajectories(std::vector<Inventory> surveys, const RegisterSettings& settings, int threads, const Progress& progress);
+/// The surveys whose trajectories had drifted, corrected, their stem lists made anew from them. What may not move (`free` false)
+/// counts as a rigid list. Notes go to the source of the survey that they speak of too. Throws Cancelled.
+Registered correct_trajectories(std::span<const std::shared_ptr<const Inventory>> surveys, const std::vector<bool>& free, const RegisterSettings& settings,
+                                int threads, const Progress& progress);
 
 }  // namespace stemwise

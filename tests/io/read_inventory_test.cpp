@@ -102,6 +102,20 @@ TEST_F(ReadInventoryTest, BadRowsAreNamedAndTheGoodOnesKept) {
   EXPECT_THAT(notes(*r), HasSubstr("bad rows left out: 7"));
 }
 
+TEST_F(ReadInventoryTest, AnIdUsedForTwoTreesIsSaidAndForTwoStemsOfOneTreeIsNot) {
+  const auto twins = read("id,x_m,y_m,dbh_cm\n1,0,0,30\n2,5,0,31\n1,9,9,32\n2,5.3,0,18\n1,20,9,33\n", {}, "twins.csv");
+  ASSERT_TRUE(twins);
+  EXPECT_EQ(twins->stems.size(), 5u);
+  ASSERT_EQ(twins.issues.size(), 1u) << to_string(twins.issues.back());
+  EXPECT_EQ(twins.issues[0].row, 4);
+  EXPECT_EQ(twins.issues[0].column, "id");
+  EXPECT_NE(twins.issues[0].text.find("row 2"), std::string::npos) << twins.issues[0].text;
+  EXPECT_NE(twins.issues[0].text.find("1 more"), std::string::npos) << twins.issues[0].text;
+  const auto plots = read("plot,id,x_m,y_m,dbh_cm\nA,1,0,0,30\nA,2,5,0,31\nB,1,50,9,32\nB,2,55,9,33\n", {}, "plots.csv");
+  ASSERT_TRUE(plots);
+  EXPECT_TRUE(plots.issues.empty()) << to_string(plots.issues.front());
+}
+
 TEST_F(ReadInventoryTest, ANanDiameterIsAStemWithoutDiameterAndSaid) {
   const auto r = read("id,x,y,dbh_cm\n1,1,2,nan\n2,3,4,NA\n3,5,6,31\n");
   ASSERT_TRUE(r);

@@ -22,6 +22,17 @@ void forget_alignment(ProjectState& state) {
   std::erase_if(state.matches, [](const auto& entry) { return entry.second.state == MatchState::automatic; });
 }
 
+/// A tree that has no other stem is gone; where none is left, ids begin again.
+void forget_stems_of(ProjectState& state, InventoryId id) {
+  std::erase_if(state.matches, [&](const auto& m) { return m.first.first.inventory == id || m.first.second.inventory == id; });
+  for (auto& [tree_id, tree] : state.trees) std::erase_if(tree.stems, [&](const StemRef& stem) { return stem.inventory == id; });
+  std::erase_if(state.trees, [](const auto& entry) { return entry.second.stems.empty(); });
+  state.tree_of_stem.erase(id);
+  if (state.trees.empty()) state.next_tree = 1;
+  const auto coverage = state.coverages.find(id);
+  if (coverage != state.coverages.end() && coverage->second.source != CoverageSource::drawn) state.coverages.erase(coverage);
+}
+
 /// Most trees, the first of equals.
 InventoryId default_reference(const ProjectState& state) {
   const Inventory* best = nullptr;
@@ -92,6 +103,20 @@ CommandPtr rename_inventory(InventoryId id, std::string name) {
 CommandPtr set_inventory_date(InventoryId id, std::optional<Date> date) {
   std::string label = date ? "Set date to " + to_string(*date) : "Clear date";
   return edit_inventory(std::move(label), id, [date](const ProjectState&, Inventory& inventory) { inventory.date = date; });
+}
+
+CommandPtr replace_inventory(std::shared_ptr<const Inventory> inventory) {
+  std::string label = "Replace the stems of " + inventory->name;
+  return whole_state(std::move(label), [inventory](ProjectState& state) {
+    const InventoryId id = inventory->id;
+    auto& place = slot(state, id);
+    auto copy = std::make_shared<Inventory>(*inventory);
+    copy->name = place->name;
+    copy->date = place->date;
+    place = std::move(copy);
+    forget_stems_of(state, id);
+    assign_trees(state);
+  });
 }
 
 CommandPtr set_reference(InventoryId id) {

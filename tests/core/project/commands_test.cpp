@@ -23,6 +23,12 @@ const EditStamp stamp{"Ada", "2026-11-22T10:00:00Z", "seen in the field"};
 
 const Georeference anchor{GeoreferenceKind::anchor, {48.0, 9.0, 400.0}, {0, 0, 0}, 12.0, 0, 0.5, "anchor"};
 
+std::shared_ptr<const Inventory> remade(const Project& p, std::size_t index, int trees) {
+  Inventory inventory = test::grid_inventory("made anew", date_from_civil(2019, 1, 1), trees, 0.0);
+  inventory.id = p.state().inventories[index]->id;
+  return std::make_shared<const Inventory>(std::move(inventory));
+}
+
 std::vector<Case> every_command() {
   return {
       {"AddInventory", [](const Project&) { return add_inventory(test::grid_inventory("2023", date_from_civil(2024, 7, 1), 5, 0.0)); }},
@@ -30,6 +36,8 @@ std::vector<Case> every_command() {
       {"RemoveReference", [](const Project& p) { return remove_inventory(p.state().reference); }},
       {"RenameInventory", [](const Project& p) { return rename_inventory(p.state().inventories[1]->id, "second"); }},
       {"SetDate", [](const Project& p) { return set_inventory_date(p.state().inventories[1]->id, std::nullopt); }},
+      {"ReplaceInventory", [](const Project& p) { return replace_inventory(remade(p, 1, 17)); }},
+      {"ReplaceReferenceByFewer", [](const Project& p) { return replace_inventory(remade(p, 0, 5)); }},
       {"SetReference", [](const Project& p) { return set_reference(p.state().inventories[2]->id); }},
       {"ApplyAlignment", [](const Project& p) { return apply_alignment(test::straight_alignment(p.state()), {}); }},
       {"AcceptMatch", [](const Project& p) { return accept_match(stem_of(p, 0, 3), stem_of(p, 1, 3), stamp); }},
@@ -130,6 +138,19 @@ TEST(RejectMatch, SplitsTheTreeByDateAndKeepsTheLaterSightingsTogether) {
   const ProjectState& state = project.state();
   EXPECT_NE(state.tree_of(stem_of(project, 0, 3)), state.tree_of(stem_of(project, 1, 3)));
   EXPECT_EQ(state.tree_of(stem_of(project, 1, 3)), state.tree_of(stem_of(project, 2, 3)));
+}
+
+TEST(ReplaceInventory, KeepsNameAndDateAndForgetsWhatWasSaidOfItsStems) {
+  Project project = test::aligned_project();
+  const ProjectState before = project.state();
+  const InventoryId id = before.inventories[1]->id;
+  project.execute(replace_inventory(remade(project, 1, 17)));
+  const Inventory& now = *project.state().find(id);
+  EXPECT_EQ(now.stems.size(), 17u);
+  EXPECT_EQ(now.name, before.inventories[1]->name);
+  EXPECT_EQ(now.date, before.inventories[1]->date);
+  for (const auto& [pair, match] : project.state().matches) EXPECT_TRUE(pair.first.inventory != id && pair.second.inventory != id);
+  EXPECT_EQ(project.state().tree_of(stem_of(project, 0, 3)), before.tree_of(stem_of(project, 0, 3)));
 }
 
 TEST(ApplyAlignment, KeepsTreeIdsAndWhatAPersonDecided) {

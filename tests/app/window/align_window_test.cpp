@@ -1,0 +1,98 @@
+#include "app/align_job.hpp"
+#include "io/project_file.hpp"
+#include "tests/app/run_program.hpp"
+#include "tests/app/window/window_fixture.hpp"
+
+namespace stemwise {
+namespace {
+
+using testing::ProgramRun;
+using testing::run_stemwise;
+
+/// A walk that has drifted by 3 %, and a bare list of the same forest: folder "surveys" with 2015 (frames) and 2019.csv.
+void simulate_drifting_walk(const fs::path& folder) {
+  const std::vector<std::string> common{"--stems", "350", "--drop", "0.2", "--position-noise-m", "0.15", "--years", "2015,2019", "--seed", "2", "-q"};
+  const auto simulate = [&](const std::string& into, std::vector<std::string> more) {
+    std::vector<std::string> call{"simulate", "-o", (folder / into).string()};
+    call.insert(call.end(), common.begin(), common.end());
+    call.insert(call.end(), more.begin(), more.end());
+    const ProgramRun run = run_stemwise(call);
+    ASSERT_EQ(run.code, 0) << run.err;
+  };
+  simulate("walk", {"--frames", "--drift", "0.03"});
+  simulate("lists", {});
+}
+
+struct DriftingWalk : WindowTest {
+  std::string walk() const { return (folder_ / "walk" / "2015").string(); }
+  std::string list() const { return (folder_ / "lists" / "2019.csv").string(); }
+};
+
+TEST_F(DriftingWalk, IsCorrectedByTheWindowAsByTheCommandLine) {
+  simulate_drifting_walk(folder_);
+  const std::string project = (folder_ / "by_hand.gpkg").string();
+  const ProgramRun run = run_stemwise({"align", walk(), list(), "-o", project});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE((run.out + run.err).find("the trajectory had drifted"), std::string::npos) << run.out << run.err;
+  const Result<ProjectState> by_command_line = read_project(project);
+  ASSERT_TRUE(by_command_line);
+
+  window().desk().drop({walk(), list()});
+  window().settle();
+  const ProjectState before = state();
+  ASSERT_EQ(before.inventories.size(), 2u);
+  align();
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(*state().inventories[i], *by_command_line->inventories[i]);
+  EXPECT_NE(*state().inventories[0], *before.inventories[0]);
+  EXPECT_EQ(state().alignments, by_command_line->alignments);
+  EXPECT_EQ(state().matches, by_command_line->matches);
+  EXPECT_EQ(state().trees, by_command_line->trees);
+
+  const ProjectState after = state();
+  window().press(ui::ActionId::edit_undo);
+  window().settle();
+  EXPECT_EQ(state(), before);
+  window().press(ui::ActionId::edit_redo);
+  window().settle();
+  EXPECT_EQ(state(), after);
+}
+
+TEST_F(DriftingWalk, KeepsItsStemsOnceAPersonSpokeOfThem) {
+  simulate_drifting_walk(folder_);
+  window().desk().drop({walk(), list()});
+  window().settle();
+  const InventoryId reference = state().reference;
+  model().execute(set_tree_note(state().tree_of({reference, 3}), "the old oak", {"me", "2026-11-22T08:00:00Z", ""}));
+  const ProjectState before = state();
+  align();
+  EXPECT_EQ(state().find(reference)->stems, before.find(reference)->stems);
+}
+
+TEST_F(DriftingWalk, ReopenedItIsAlignedByTheTreesThatWereCorrected) {
+  simulate_drifting_walk(folder_);
+  const std::string project = (folder_ / "saved.gpkg").string();
+  ASSERT_EQ(run_stemwise({"align", walk(), list(), "-o", project, "-q"}).code, 0);
+  const Result<ProjectState> saved = read_project(project);
+  ASSERT_TRUE(saved);
+  const AlignOutcome again = align_project(*saved, {}, {}, {});
+  EXPECT_TRUE(again.corrected.empty());
+  ASSERT_FALSE(again.alignment.notes.empty());
+  EXPECT_NE(again.alignment.notes.front().find("a corrected trajectory, or other frames"), std::string::npos) << again.alignment.notes.front();
+}
+
+TEST_F(DriftingWalk, ReopenedAFaithfulWalkIsAlignedByItsFramesAgain) {
+  const ProgramRun made = run_stemwise({"simulate", "-o", (folder_ / "walk").string(), "--frames", "--stems", "200", "--years", "2015,2019", "--tilt-deg", "3", "-q"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::string project = (folder_ / "saved.gpkg").string();
+  ASSERT_EQ(run_stemwise({"align", walk(), (folder_ / "walk" / "2019").string(), "-o", project, "-q"}).code, 0);
+  const Result<ProjectState> saved = read_project(project);
+  ASSERT_TRUE(saved);
+  const AlignOutcome again = align_project(*saved, {}, {}, {});
+  EXPECT_TRUE(again.alignment.notes.empty()) << again.alignment.notes.front();
+  std::map<InventoryId, InventoryAlignment> poses;
+  for (const InventoryAlignment& a : again.alignment.inventories) poses[a.inventory] = a;
+  EXPECT_EQ(poses, saved->alignments);
+}
+
+}  // namespace
+}  // namespace stemwise
