@@ -22,11 +22,12 @@ do step.align
 click align/run
 settle
 do step.align
-settle
+move 10 300
+wait 10
 screenshot $out/3-align.png
 do step.review
 key N
-settle
+wait 10
 screenshot $out/4-review.png
 do view.mode
 settle
@@ -43,7 +44,7 @@ settle
 screenshot $out/8-merge.png
 do step.report
 click tabs/Jobs and notices
-settle
+wait 10
 screenshot $out/9-report.png
 do help.keys
 settle

@@ -52,6 +52,11 @@ bool run_line(HeadlessWindow& window, std::istringstream line) {
     window.desk().model().view.theme = rest() == "dark" ? ui::ThemeName::dark : ui::ThemeName::light;
     return window.frames(3), true;
   }
+  if (verb == "wait") {  // what fades after some seconds has faded; nobody sleeps
+    if (!(line >> x)) return false;
+    window.desk().model().notices.advance(x);
+    return window.frames(2), true;
+  }
   if (!(line >> x >> y)) return false;
   if (verb == "size") return window.resize(static_cast<int>(x), static_cast<int>(y)), true;
   if (verb == "move") return window.move_to(x, y), window.frames(2), true;
