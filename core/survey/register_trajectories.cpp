@@ -9,6 +9,7 @@
 #include "core/survey/level_by_axes.hpp"
 #include "core/survey/merge_coincident.hpp"
 #include "core/survey/move_frames.hpp"
+#include "core/survey/odometry_scale.hpp"
 #include "core/survey/trajectory_windows.hpp"
 
 namespace stemwise {
@@ -27,6 +28,14 @@ std::optional<double> years(const Inventory& from, const Inventory& to) {
   return years_between(*from.date, *to.date);
 }
 
+std::string scale_text(const OdometryScale& scale) {
+  if (!scale.significant) return "";
+  char text[160];
+  std::snprintf(text, sizeof text, " Its steps were %.2f %% too %s, as the stems that neighbouring frames share tell (%d pairs of frames).", 100.0 * std::abs(scale.scale - 1.0),
+                scale.scale > 1.0 ? "short" : "long", scale.links);
+  return text;
+}
+
 /// All that one run carries.
 class Registration {
  public:
@@ -34,6 +43,10 @@ class Registration {
     for (const Inventory& survey : surveys) {
       level_.push_back({has_way(survey) ? level_by_axes(survey.stems, {}).level_from_survey : Eigen::Matrix3d(Eigen::Matrix3d::Identity()), Eigen::Vector3d::Zero()});
       frames_.push_back(has_way(survey) ? move_frames(*survey.frames, level_.back()) : FrameSet{});
+      given_.emplace_back();
+      for (const Frame& frame : frames_.back().frames) given_.back().push_back(frame.pose.survey_from_frame.translation_m);
+      scale_.push_back(estimate_odometry_scale(frames_.back(), threads));
+      if (scale_.back().significant) frames_.back() = with_scaled_steps(std::move(frames_.back()), scale_.back().scale);
       first_node_.push_back(nodes_);
       nodes_ += std::max<std::size_t>(1, frames_.back().frames.size());
       lists_.push_back(has_way(survey) ? std::nullopt : std::optional<IndexedList>(merge_coincident(survey.stems, settings.lists.merge_radius_m)));
@@ -224,7 +237,7 @@ class Registration {
       double sum_sq = 0.0;
       for (std::size_t f = 0; f < corrected.frames.size(); ++f) {
         const RigidTransform levelled = survey_from_graph * poses[node(s, f)];
-        sum_sq += (levelled.translation_m - odometry(s, f).translation_m).squaredNorm();
+        sum_sq += (levelled.translation_m - given_[s][f]).squaredNorm();
         corrected.frames[f].pose.survey_from_frame = level_[s].inverse() * levelled;
       }
       result.correction_m[s] = std::sqrt(sum_sq / static_cast<double>(corrected.frames.size()));
@@ -241,14 +254,16 @@ class Registration {
       if (c.a == s || c.b == s) (c.accepted ? used : rejected)++;
     char text[160];
     std::snprintf(text, sizeof text, ": the trajectory had drifted; corrected by %.2f m (root mean square) from %d constraints, %d rejected.", result.correction_m[s], used, rejected);
-    result.notes.push_back(surveys_[s].name + text);
+    result.notes.push_back(surveys_[s].name + text + scale_text(scale_[s]));
   }
 
   const std::vector<Inventory>& surveys_;
   const RegisterSettings& settings_;
   int threads_;
   std::vector<RigidTransform> level_;  ///< level from survey: a turn about the origin
-  std::vector<FrameSet> frames_;       ///< as given but upright; empty for a bare list
+  std::vector<FrameSet> frames_;       ///< as given but upright and to scale; empty for a bare list
+  std::vector<std::vector<Eigen::Vector3d>> given_;  ///< per survey and frame: the place as given, upright
+  std::vector<OdometryScale> scale_;   ///< per survey
   std::vector<std::optional<IndexedList>> lists_;
   std::vector<std::size_t> first_node_;
   std::size_t nodes_ = 0;
