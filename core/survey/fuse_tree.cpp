@@ -12,13 +12,31 @@ struct Chosen {
 };
 
 Chosen mean_dbh(const std::vector<const Sighting*>& measured) {
-  double sum = 0.0;
-  for (const Sighting* s : measured) sum += *s->stem->dbh_m;
+  double sum = 0.0, weights = 0.0;
+  for (const Sighting* s : measured) {
+    const double weight = 1.0 / std::max(1e-12, s->dbh_error_m * s->dbh_error_m);
+    sum += weight * *s->stem->dbh_m;
+    weights += weight;
+  }
   // A mean of several comes from no one survey.
-  return {sum / static_cast<double>(measured.size()), measured.size() == 1 ? measured.front()->ref.inventory : InventoryId{}};
+  return {sum / weights, measured.size() == 1 ? measured.front()->ref.inventory : InventoryId{}};
 }
 
-Chosen choose_dbh(std::span<const Sighting> sightings, FusionPolicy policy) {
+/// One over the error to be expected of this diameter: the survey's own, larger for a stem that was seen badly, smaller for
+/// one seen in many frames.
+double quality(const Sighting& s) {
+  const double seen = std::max(0.05, s.stem->score) * std::sqrt(static_cast<double>(std::max(1, s.stem->times_seen)));
+  return seen / std::max(1e-6, s.dbh_error_m);
+}
+
+const Sighting* sighting_of(std::span<const Sighting> sightings, std::optional<InventoryId> survey) {
+  for (const Sighting& s : sightings)
+    if (survey && s.ref.inventory == *survey) return &s;
+  return nullptr;
+}
+
+Chosen choose_dbh(std::span<const Sighting> sightings, FusionPolicy policy, std::optional<InventoryId> by_hand) {
+  if (const Sighting* chosen = sighting_of(sightings, by_hand); chosen != nullptr && chosen->stem->dbh_m) return {chosen->stem->dbh_m, chosen->ref.inventory};
   std::vector<const Sighting*> measured;
   for (const Sighting& s : sightings)
     if (s.stem->dbh_m) measured.push_back(&s);
@@ -26,7 +44,7 @@ Chosen choose_dbh(std::span<const Sighting> sightings, FusionPolicy policy) {
   if (policy == FusionPolicy::mean) return mean_dbh(measured);
   const auto rank = [policy](const Sighting* s) {
     if (policy == FusionPolicy::min_dbh) return -*s->stem->dbh_m;
-    return policy == FusionPolicy::best ? s->stem->score * std::sqrt(static_cast<double>(s->stem->times_seen)) : 0.0;
+    return policy == FusionPolicy::best ? quality(*s) : 0.0;
   };
   const Sighting* best = measured.front();
   for (const Sighting* s : measured)  // of equals the newest; for `newest` all are equal
@@ -56,19 +74,21 @@ void fuse_position(TreeRow& row, std::span<const Sighting> sightings) {
 
 }  // namespace
 
-TreeRow fuse_tree(TreeId id, std::span<const Sighting> sightings, FusionPolicy policy) {
+TreeRow fuse_tree(TreeId id, std::span<const Sighting> sightings, FusionPolicy policy, const FusionChoice& choice) {
   TreeRow row;
   row.tree = id;
   row.times_seen = static_cast<int>(sightings.size());
   if (sightings.empty()) return row;
-  fuse_position(row, sightings);
-  const Chosen chosen = choose_dbh(sightings, policy);
+  const Sighting* place = sighting_of(sightings, choice.position);
+  fuse_position(row, place != nullptr ? std::span(place, 1) : sightings);
+  const Chosen chosen = choose_dbh(sightings, policy, choice.dbh);
   row.dbh_m = chosen.dbh_m;
   row.dbh_source = chosen.source;
   row.first_seen = sightings.front().ref.inventory;
   row.last_seen = sightings.back().ref.inventory;
   for (const Sighting& s : sightings)
     if (!s.stem->species.empty()) row.species = s.stem->species;
+  if (const Sighting* s = sighting_of(sightings, choice.species); s != nullptr && !s->stem->species.empty()) row.species = s->stem->species;
   return row;
 }
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "core/survey/fusion_choices.hpp"
+
 namespace stemwise {
 namespace {
 
@@ -246,6 +248,9 @@ ReportModel make_report_model(const ProjectState& state, const Tables& tables, c
   model.stand_growth = stand_growth(state, tables);
   model.growth_groups = growth_groups(state, tables, options.dbh_class_width_cm);
   model.changes = stand_changes(state, tables, {options.area_ha, options.dbh_class_width_cm});
+  model.conflicts = fusion_conflicts(state, tables);
+  model.chosen_by_hand = static_cast<int>(fusion_choices(state).size());
+  model.ground = observed_ground(tables);
   list_new_and_missing(state, tables, model);
   judge_growth(state, tables, model);
   return model;

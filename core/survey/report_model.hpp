@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/survey/fusion_review.hpp"
 #include "core/survey/growth_groups.hpp"
 #include "core/survey/rule_pack.hpp"
 #include "core/survey/stand_change.hpp"
@@ -122,6 +123,9 @@ struct ReportModel {
   std::array<int, fate_count> trees_by_fate{};
   std::vector<TreeRow> trees;
   int decisions_by_hand = 0;
+  std::vector<FusionConflict> conflicts;
+  int chosen_by_hand = 0;              ///< trees with a value whose survey a person chose
+  ObservedGround ground;
 };
 
 ReportModel make_report_model(const ProjectState& state, const Tables& tables, const ReportOptions& options);

@@ -225,7 +225,7 @@ void Derivation::add_rejected() {
     const bool in_order = survey_of(match.a.inventory) <= survey_of(match.b.inventory);
     const StemRef first = in_order ? match.a : match.b, second = in_order ? match.b : match.a;
     const auto sighting = [&](StemRef ref) {
-      return Sighting{ref, state_.find(ref), state_.stem_in_reference_m(ref), std::nullopt, 0.0};
+      return Sighting{ref, state_.find(ref), state_.stem_in_reference_m(ref), std::nullopt, 0.0, 0.0};
     };
     const auto record = state_.trees.find(state_.tree_of(first));
     if (record == state_.trees.end()) continue;
@@ -264,8 +264,11 @@ void Derivation::derive_trees() {
       const auto [place, is_new] = weakest.try_emplace(match.tree, match.confidence);
       if (!is_new) place->second = std::min(place->second, match.confidence);
     }
-  for (const TreeSightings& tree : trees_) {
-    TreeRow row = fuse_tree(tree.record->id, tree.by_date, state_.fusion);
+  const auto choices = fusion_choices(state_);
+  for (TreeSightings& tree : trees_) {
+    for (Sighting& s : tree.by_date) s.dbh_error_m = dbh_error_m(survey_of(s.ref.inventory));
+    const auto choice = choices.find(tree.record->id);
+    TreeRow row = fuse_tree(tree.record->id, tree.by_date, state_.fusion, choice == choices.end() ? FusionChoice{} : choice->second);
     row.note = tree.record->note;
     row.edited_by = tree.record->edited_by;
     row.dbh_per_inventory_m.resize(surveys_.size());

@@ -230,7 +230,7 @@ ReportDocument make_report_document(const ReportModel& model, const std::string&
   document.footer = software;
   document.cover = cover_of(model, software);
   document.sections = {survey_section(model), fate_section(model),  growth_section(model), interval_section(model),          change_section(model),
-                       structure_section(model), flag_section(model), list_section(model),   method_section(model, software), dictionary_section()};
+                       structure_section(model), flag_section(model), list_section(model), merge_section(model), method_section(model, software), dictionary_section()};
   return document;
 }
 

@@ -1,4 +1,5 @@
 #include "io/report/number_text.hpp"
+#include "core/survey/fusion_choices.hpp"
 #include "io/report/sections.hpp"
 
 namespace stemwise {
@@ -24,7 +25,7 @@ ReportTable settings_table(const ReportModel& model, const std::string& software
   add("rules", model.rule_pack.empty() ? "none" : model.rule_pack);
   if (!model.settings.contains("seed")) add("seed", "0");
   for (const auto& [key, value] : model.settings)
-    if (!key.starts_with("rules.")) add(key, value);
+    if (!key.starts_with("rules.") && !is_fusion_choice(key)) add(key, value);
   table.note = "Settings that are not listed have their defaults. The same input, settings and seed give the same figures.";
   return table;
 }

@@ -8,6 +8,8 @@ namespace stemwise {
 ReportSection change_section(const ReportModel& model);
 /// DBH growth of the stand, of each species and of each DBH class, with intervals.
 ReportSection interval_section(const ReportModel& model);
+/// How values were merged, where the surveys contradict each other, which ground was seen too seldom.
+ReportSection merge_section(const ReportModel& model);
 /// What the chosen rules flag, what the other packs would flag, and every flagged tree.
 ReportSection flag_section(const ReportModel& model);
 /// How the figures came about: method, georeference with its residuals, settings and seed.

@@ -35,14 +35,20 @@ def rigid(pairs):
     return move
 
 
+def make_project(t, seed, stems, drift):
+    """Simulates the five surveys in folder `t` and aligns them: t/p.gpkg, t/p.json, t/lists/truth."""
+    stemwise = os.environ["STEMWISE"]
+    common = ["--years", ",".join(YEARS), "--stems", str(stems), "--position-noise-m", "0.2", "--drop", "0.2", "--dbh-noise-cm", "1", "--seed", str(seed), "--quiet"]
+    subprocess.run([stemwise, "simulate", "-o", f"{t}/lists", *common], check=True)
+    subprocess.run([stemwise, "simulate", "-o", f"{t}/walks", *common, "--frames", "--drift", str(drift)], check=True)
+    inputs = [f"{t}/walks/{y}" if y in WALKED else f"{t}/lists/{y}.csv" for y in YEARS]
+    subprocess.run([stemwise, "align", *inputs, "-o", f"{t}/p.gpkg", "--json", f"{t}/p.json", "--seed", str(seed), "--quiet"], check=True)
+
+
 def run(seed, stems, drift):
     stemwise = os.environ["STEMWISE"]
     with tempfile.TemporaryDirectory() as t:
-        common = ["--years", ",".join(YEARS), "--stems", str(stems), "--position-noise-m", "0.2", "--drop", "0.2", "--dbh-noise-cm", "1", "--seed", str(seed), "--quiet"]
-        subprocess.run([stemwise, "simulate", "-o", f"{t}/lists", *common], check=True)
-        subprocess.run([stemwise, "simulate", "-o", f"{t}/walks", *common, "--frames", "--drift", str(drift)], check=True)
-        inputs = [f"{t}/walks/{y}" if y in WALKED else f"{t}/lists/{y}.csv" for y in YEARS]
-        subprocess.run([stemwise, "align", *inputs, "-o", f"{t}/p.gpkg", "--quiet"], check=True)
+        make_project(t, seed, stems, drift)
         subprocess.run([stemwise, "export", f"{t}/p.gpkg", "--layer", "observations", "-o", f"{t}/o.csv", "--quiet"], check=True)
         return judge(table(f"{t}/lists/truth/trees.csv"), table(f"{t}/o.csv"))
 

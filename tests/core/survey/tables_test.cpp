@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/survey/decide_fate.hpp"
+#include "core/survey/fusion_choices.hpp"
+#include "core/survey/fusion_review.hpp"
 #include "core/base/random.hpp"
 #include "core/survey/growth.hpp"
 #include "tests/core/project/small_project.hpp"
@@ -36,6 +38,71 @@ TEST(DeriveTables, MergesByTheSmallestDbhUnlessAnotherPolicyIsChosen) {
   const Tables mean = derive_tables(project.state());
   EXPECT_NEAR(*mean.trees.front().dbh_m, (0.30 + 0.31 + 0.325) / 3.0, 1e-12);
   EXPECT_FALSE(mean.trees.front().dbh_source);  // of no one survey
+}
+
+TEST(DeriveTables, BestTakesTheSurveyWithTheLeastDbhErrorAndTheMeanIsWeightedByIt) {
+  Project project = aligned_project();
+  const auto id = [&](std::size_t i) { return project.state().inventories[i]->id; };
+  project.execute(set_dbh_error(id(0), 0.02));
+  project.execute(set_dbh_error(id(1), 0.005));
+  project.execute(set_dbh_error(id(2), 0.01));
+  project.execute(set_fusion_policy(FusionPolicy::best));
+  EXPECT_EQ(derive_tables(project.state()).trees.front().dbh_source, id(1));
+  EXPECT_NEAR(*derive_tables(project.state()).trees.front().dbh_m, 0.31, 1e-12);
+  project.execute(set_fusion_policy(FusionPolicy::mean));
+  const double mean_m = (0.30 * 0.25 + 0.31 * 4.0 + 0.325 * 1.0) / 5.25;
+  EXPECT_NEAR(*derive_tables(project.state()).trees.front().dbh_m, mean_m, 1e-12);
+}
+
+TEST(DeriveTables, AValueComesFromTheSurveyThatAPersonChoseAndByThePolicyAgainWhenTakenBack) {
+  Project project = aligned_project();
+  const ProjectState before = project.state();
+  const TreeId tree = derive_tables(before).trees[3].tree;
+  const InventoryId newest = before.inventories[2]->id;
+  project.execute(choose_source(tree, FusedAttribute::dbh, newest));
+  const Tables chosen = derive_tables(project.state());
+  EXPECT_EQ(chosen.find(tree)->dbh_source, newest);
+  EXPECT_NEAR(*chosen.find(tree)->dbh_m, 0.355, 1e-12);
+  EXPECT_EQ(fusion_choices(project.state()).at(tree).dbh, newest);
+  EXPECT_NEAR(*chosen.trees[4].dbh_m, 0.34, 1e-12) << "other trees stay with the policy";
+  project.execute(choose_source(tree, FusedAttribute::dbh, std::nullopt));
+  EXPECT_EQ(project.state(), before);
+  project.undo();
+  EXPECT_EQ(derive_tables(project.state()).find(tree)->dbh_source, newest);
+  project.undo();
+  EXPECT_EQ(project.state(), before);
+}
+
+TEST(FusionReview, NamesTreesWhoseSurveysContradictEachOtherAndNoOther) {
+  Project project;
+  Inventory a = test::grid_inventory("2013", date_from_civil(2013, 7, 1), 20, 0.0), b = test::grid_inventory("2018", date_from_civil(2018, 7, 1), 20, 0.01);
+  a.stems[2].species = "Picea abies", b.stems[2].species = "Abies alba";
+  a.stems[3].species = "Picea abies", b.stems[3].species = "picea abies";
+  b.stems[5].dbh_m = *a.stems[5].dbh_m - 0.15;
+  b.stems[7].x_m += 3.0;
+  project.execute(add_inventory(a));
+  project.execute(add_inventory(b));
+  project.execute(apply_alignment(test::straight_alignment(project.state()), {}));
+  const auto conflicts = fusion_conflicts(project.state(), derive_tables(project.state()));
+  ASSERT_EQ(conflicts.size(), 3u);
+  EXPECT_EQ(conflicts[0].attribute, "species");
+  EXPECT_EQ(conflicts[0].kept, "Abies alba");
+  EXPECT_EQ(conflicts[0].source, project.state().inventories[1]->id);
+  EXPECT_EQ(conflicts[1].attribute, "dbh");
+  EXPECT_EQ(conflicts[1].values.size(), 2u);
+  EXPECT_EQ(conflicts[2].attribute, "position");
+}
+
+TEST(FusionReview, GroundThatOneSurveyOfTwoLookedAtIsUnderObserved) {
+  Tables tables;
+  tables.coverages.push_back({InventoryId{1}, {{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}, 1e4, CoverageSource::drawn});
+  tables.coverages.push_back({InventoryId{2}, {{{0, 0}, {40, 0}, {40, 100}, {0, 100}}}, 4e3, CoverageSource::drawn});
+  const ObservedGround ground = observed_ground(tables);
+  ASSERT_EQ(ground.ha_by_surveys.size(), 2u);
+  EXPECT_NEAR(ground.ha_by_surveys[0], 0.6, 1e-9);
+  EXPECT_NEAR(ground.ha_by_surveys[1], 0.4, 1e-9);
+  EXPECT_EQ(ground.under_observed.size(), 15u);
+  for (const ObservedSquare& s : ground.under_observed) EXPECT_GT(s.centre_m.x(), 40.0);
 }
 
 TEST(DeriveTables, ShowsARejectedPairAsARowOfItsOwn) {
