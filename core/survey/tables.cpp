@@ -191,10 +191,10 @@ MatchRow Derivation::match_row(const TreeSightings& tree, const Sighting& a, con
   row.dbh_a_m = a.stem->dbh_m;
   row.dbh_b_m = b.stem->dbh_m;
   row.years = years_between_stems(a, b);
-  if (row.dbh_a_m && row.dbh_b_m) row.change_m = *row.dbh_b_m - *row.dbh_a_m;
-  const bool living = is_living(a) && is_living(b);
-  if (row.change_m && row.years && living) row.growth_m_per_year = *row.change_m / *row.years;
-  row.change = classify_change(living ? row.change_m : std::nullopt, dbh_error_m(survey_of(a.ref.inventory)), dbh_error_m(survey_of(b.ref.inventory)));
+  const bool measured = row.dbh_a_m && row.dbh_b_m;
+  if (measured && is_living(a) && is_living(b)) row.change_m = *row.dbh_b_m - *row.dbh_a_m;  // what a dead stem measures is no growth
+  if (row.change_m && row.years) row.growth_m_per_year = *row.change_m / *row.years;
+  row.change = classify_change(row.change_m, dbh_error_m(survey_of(a.ref.inventory)), dbh_error_m(survey_of(b.ref.inventory)));
   const auto found = state_.matches.find(ordered(a.ref, b.ref));
   row.confidence = 0.5;  // joined through a third survey only
   if (found != state_.matches.end()) {
@@ -205,7 +205,7 @@ MatchRow Derivation::match_row(const TreeSightings& tree, const Sighting& a, con
   if (row.state == MatchState::linked || row.state == MatchState::accepted) row.confidence = 1.0;
   if (row.change == ChangeClass::shrank) row.flags.push_back("shrinkage");
   if (is_implausible(row)) row.flags.push_back("implausible_growth");
-  if (!row.change_m) row.flags.push_back("no_dbh");
+  if (!measured) row.flags.push_back("no_dbh");
   if (!is_living(a) && is_living(b)) row.flags.push_back("alive_after_dead");
   return row;
 }

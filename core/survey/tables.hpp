@@ -35,7 +35,8 @@ struct MatchRow {
   StemRef a;  ///< the earlier
   StemRef b;
   double distance_m = 0.0;
-  std::optional<double> dbh_a_m, dbh_b_m, change_m;
+  std::optional<double> dbh_a_m, dbh_b_m;
+  std::optional<double> change_m;  ///< of a tree alive at both: what a dead stem measures is no growth
   std::optional<double> years, growth_m_per_year;
   ChangeClass change = ChangeClass::unknown;
   double confidence = 0.0;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/survey/chart_models.hpp"
 #include "core/survey/decide_fate.hpp"
 #include "core/survey/fusion_choices.hpp"
 #include "core/survey/fusion_review.hpp"
@@ -113,6 +116,24 @@ TEST(DeriveTables, ShowsARejectedPairAsARowOfItsOwn) {
   int rejected = 0;
   for (const MatchRow& row : tables.matches) rejected += row.state == MatchState::rejected;
   EXPECT_GE(rejected, 1);
+}
+
+TEST(DeriveTables, ADeadStemsDiameterIsNoGrowthAnywhere) {
+  Project project = aligned_project();
+  Inventory last = *project.state().inventories[2];
+  last.stems[3].status = StemStatus::dead;
+  *last.stems[3].dbh_m += 0.5;
+  ProjectState state = project.state();
+  state.inventories[2] = std::make_shared<const Inventory>(last);
+  const Tables tables = derive_tables(state);
+  EXPECT_EQ(tables.growth[1].n, 19);
+  const auto row = std::find_if(tables.matches.begin(), tables.matches.end(), [&](const MatchRow& m) { return m.b == stem_of(project, 2, 3); });
+  ASSERT_NE(row, tables.matches.end());
+  EXPECT_FALSE(row->change_m);
+  EXPECT_TRUE(row->dbh_b_m);
+  EXPECT_TRUE(row->flags.empty());
+  const ChartModel chart = growth_distribution_chart(state, tables, state.inventories[1]->id, state.inventories[2]->id);
+  EXPECT_TRUE(chart.note.starts_with("19 stems")) << chart.note;
 }
 
 TEST(DeriveTables, CallsAnApproximateDbhNoDbh) {
