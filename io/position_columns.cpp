@@ -107,7 +107,7 @@ std::string pair_text(const StemTable& table, const PositionColumns& c) { return
 std::optional<Result<PositionColumns>> by_options(const StemTable& table, const ReadOptions& options) {
   const auto mapped = [&](const char* key) {
     const auto it = options.columns.find(key);
-    return it == options.columns.end() ? std::nullopt : table.find(it->second);
+    return it == options.columns.end() || it->second.empty() ? std::nullopt : table.find(it->second);
   };
   const auto both = [&](const char* a, const char* b, PositionScheme scheme) -> std::optional<Result<PositionColumns>> {
     const bool any = options.columns.contains(a) || options.columns.contains(b);

@@ -11,14 +11,13 @@
 #include "io/gdal_dataset.hpp"
 #include "io/gdal_session.hpp"
 #include "io/stem_table.hpp"
-#include "io/stems_from_table.hpp"
 #include "io/text_file.hpp"
 
 namespace stemwise {
 namespace {
 
-Result<Inventory> refused(const std::string& path, std::string text, std::string help) {
-  return Result<Inventory>::failure(Issue{Severity::error, path, 0, {}, std::move(text), std::move(help)});
+Result<OpenedTable> refused(const std::string& path, std::string text, std::string help) {
+  return Result<OpenedTable>::failure(Issue{Severity::error, path, 0, {}, std::move(text), std::move(help)});
 }
 
 std::string field_text(const OGRFeature& feature, int field) {
@@ -28,9 +27,15 @@ std::string field_text(const OGRFeature& feature, int field) {
   return is_valid_utf8(text) ? text : utf8_from_windows_1252(text);
 }
 
+std::vector<std::string> layer_list(GDALDataset& dataset) {
+  std::vector<std::string> names;
+  for (OGRLayer* layer : dataset.GetLayers()) names.emplace_back(layer->GetName());
+  return names;
+}
+
 std::string layer_names(GDALDataset& dataset) {
   std::string names;
-  for (OGRLayer* layer : dataset.GetLayers()) names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+  for (const std::string& name : layer_list(dataset)) names += (names.empty() ? "" : ", ") + name;
   return names;
 }
 
@@ -180,7 +185,7 @@ FileKind file_kind(const std::string& path) {
   return FileKind::text;
 }
 
-Result<Inventory> read_gis_points(const std::string& path, const ReadOptions& options) {
+Result<OpenedTable> open_gis_points(const std::string& path, const ReadOptions& options) {
   const GdalMessages messages;
   const DatasetPtr dataset = open_vector(path);
   if (!dataset) return refused(path, "cannot be opened as GIS data: " + messages.last_error(), "save it as GeoPackage, Shapefile, GeoJSON or CSV");
@@ -203,12 +208,10 @@ Result<Inventory> read_gis_points(const std::string& path, const ReadOptions& op
   table.notes.push_back("layer: " + std::string(layer.GetName()));
   table.notes.push_back(system.epsg ? "coordinate system: " + crs_name(*system.epsg) + " (EPSG:" + std::to_string(*system.epsg) + ")" : "coordinate system: none");
   if (layers.size() > 1) table.issues.push_back(several(path, "layers", names, layer.GetName()));
-  auto result = inventory_from_table(std::move(table), options, system.epsg);
-  if (result) result->source.format = std::string("GIS points (") + dataset->GetDriverName() + ")";
-  return result;
+  return OpenedTable{std::move(table), system.epsg, std::string("GIS points (") + dataset->GetDriverName() + ")", layer_list(*dataset)};
 }
 
-Result<Inventory> read_workbook(const std::string& path, const ReadOptions& options) {
+Result<OpenedTable> open_workbook(const std::string& path, const ReadOptions& options) {
   const GdalMessages messages;
   const GdalOption no_header_x("OGR_XLSX_HEADERS", "DISABLE"), strings_x("OGR_XLSX_FIELD_TYPES", "STRING");
   const GdalOption no_header_o("OGR_ODS_HEADERS", "DISABLE"), strings_o("OGR_ODS_FIELD_TYPES", "STRING");
@@ -230,9 +233,7 @@ Result<Inventory> read_workbook(const std::string& path, const ReadOptions& opti
   StemTable table = stem_table_from(std::move(sheets.front().grid), sheets.front().header, path, true);
   table.notes.insert(table.notes.begin(), "sheet: " + chosen);
   if (equals > 1) table.issues.push_back(several(path, "sheets", names, chosen));
-  auto result = inventory_from_table(std::move(table), options);
-  if (result) result->source.format = std::string("workbook (") + dataset->GetDriverName() + ")";
-  return result;
+  return OpenedTable{std::move(table), std::nullopt, std::string("workbook (") + dataset->GetDriverName() + ")", layer_list(*dataset)};
 }
 
 }  // namespace stemwise

@@ -3,10 +3,10 @@
 #include <filesystem>
 
 #include "io/inventory_date.hpp"
-#include "io/read_frame_folder.hpp"
+#include "io/open_table.hpp"
 #include "io/project_file.hpp"
-#include "io/read_gis.hpp"
-#include "io/read_table.hpp"
+#include "io/read_frame_folder.hpp"
+#include "io/stems_from_table.hpp"
 
 namespace stemwise {
 namespace {
@@ -54,12 +54,10 @@ Result<Inventory> read_inventory(const std::string& path, const ReadOptions& opt
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return refused(path, "there is no such file or folder", "check the name");
   if (std::filesystem::is_directory(path, error)) return read_folder(path, options);
-  switch (file_kind(path)) {
-    case FileKind::text: return read_table(path, options);
-    case FileKind::workbook: return read_workbook(path, options);
-    case FileKind::sqlite: return is_project(path) ? read_from_project(path, options) : read_gis_points(path, options);
-    case FileKind::gis: return read_gis_points(path, options);
-    case FileKind::unknown_binary: break;
+  if (is_project(path)) return read_from_project(path, options);
+  if (auto opened = open_table(path, options)) {
+    if (!*opened) return Result<Inventory>::failure(opened->issues);
+    return inventory_from_table(std::move(**opened), options);
   }
   return refused(path, "is neither text nor a format that is read here", "save the stem list as CSV, XLSX, GeoPackage or Shapefile");
 }

@@ -12,7 +12,7 @@ namespace stemwise {
 /// What a person overrides when an inventory is read (cli.md, "Overrides for reading"). Everything empty: recognised.
 struct ReadOptions {
   /// Our name of a column -> the file's header: x, y, z, lon, lat, azimuth, distance, dbh, circumference, height, id, species,
-  /// status, date, plot, axis_x, axis_y, axis_z. `--map x=Easting`.
+  /// status, date, plot, axis_x, axis_y, axis_z. `--map x=Easting`. An empty header: no column is read as that.
   std::map<std::string, std::string> columns;
   /// Our name of a column -> m, dm, cm, mm, ft, in, deg, gon, rad. `--unit dbh=mm`; x stands for y too.
   std::map<std::string, std::string> units;
@@ -20,6 +20,8 @@ struct ReadOptions {
   std::string plot_column;  ///< header of the column that tells the plots of one file apart
   std::string plot;         ///< its value: only these rows are read
   std::optional<Date> date; ///< replaces every date of the file
+  std::optional<int> epsg;  ///< system of the table's x and y, for a file that does not say it
+  std::map<std::string, StemStatus> status_codes;  ///< what a code in the status column means, where it is not the usual
   int threads = 0;          ///< for frame folders; 0: all of the machine
 };
 

@@ -4,7 +4,6 @@
 
 #include "io/delimited_text.hpp"
 #include "io/stem_table.hpp"
-#include "io/stems_from_table.hpp"
 #include "io/text_file.hpp"
 
 namespace stemwise {
@@ -39,19 +38,17 @@ Issue no_header(const std::string& path, std::string_view text) {
 
 }  // namespace
 
-Result<Inventory> read_table(const std::string& path, const ReadOptions& options) {
+Result<OpenedTable> open_text_table(const std::string& path, const ReadOptions& options) {
   const auto file = read_text_file(path);
-  if (!file) return Result<Inventory>::failure(file.issues);
+  if (!file) return Result<OpenedTable>::failure(file.issues);
   const char delimiter = sniff_delimiter(file->text, options);
-  if (delimiter == 0) return Result<Inventory>::failure(no_header(path, file->text));
+  if (delimiter == 0) return Result<OpenedTable>::failure(no_header(path, file->text));
   Grid grid = parse_delimited(file->text, delimiter);
   const auto header = find_header(grid, options);
-  if (!header) return Result<Inventory>::failure(no_header(path, file->text));
+  if (!header) return Result<OpenedTable>::failure(no_header(path, file->text));
   StemTable table = stem_table_from(std::move(grid), *header, path, delimiter == ',');
   table.notes.insert(table.notes.begin(), {"encoding: " + file->encoding, "delimiter: " + delimiter_name(delimiter)});
-  auto result = inventory_from_table(std::move(table), options);
-  if (result) result->source.format = "table";
-  return result;
+  return OpenedTable{std::move(table), std::nullopt, "table", {}};
 }
 
 }  // namespace stemwise

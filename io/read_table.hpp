@@ -1,14 +1,12 @@
 #pragma once
 #include <string>
 
-#include "core/base/result.hpp"
-#include "core/forest/inventory.hpp"
-#include "io/read_inventory.hpp"
+#include "io/stem_table.hpp"
 
 namespace stemwise {
 
-/// Reads a stem table from delimited text of any common kind (data-formats.md): encoding, delimiter, preamble, decimal sign,
-/// columns and units are recognised.
-Result<Inventory> read_table(const std::string& path, const ReadOptions& options = {});
+/// Opens a stem table of delimited text of any common kind (data-formats.md): encoding, delimiter, preamble and decimal
+/// sign are recognised. Failure when no header of a stem table is found.
+Result<OpenedTable> open_text_table(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace stemwise

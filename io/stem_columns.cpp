@@ -27,7 +27,7 @@ Issues check_options(const StemTable& table, const ReadOptions& options) {
   for (const auto& [word, header] : options.columns) {
     if (!column_kind_from(word)) {
       issues.push_back(bad_option(table, "--map " + word + ": no such column of ours", "x, y, z, lon, lat, azimuth, distance, dbh, circumference, height, id, species, status, date, plot"));
-    } else if (!table.find(header)) {
+    } else if (!header.empty() && !table.find(header)) {
       issues.push_back(bad_option(table, "--map " + word + "=" + header + ": the file has no column " + header, "it has " + header_list(table)));
     }
   }
@@ -159,10 +159,11 @@ void choose_by_name(const StemTable& table, StemColumns& columns) {
 void take_options(const StemTable& table, const ReadOptions& options, StemColumns& columns) {
   for (const auto& [word, header] : options.columns) {
     const K kind = *column_kind_from(word);
-    columns.at[static_cast<std::size_t>(kind)] = table.find(header);
+    columns.at[static_cast<std::size_t>(kind)] = header.empty() ? std::nullopt : table.find(header);
+    if (header.empty() && kind == K::species) columns.genus.reset();
     if (kind == K::id) columns.tag.reset(), columns.stem_tag.reset();
-    if (kind == K::dbh) columns.at[static_cast<std::size_t>(K::circumference)].reset();
-    if (kind == K::circumference) columns.at[static_cast<std::size_t>(K::dbh)].reset();
+    if (kind == K::dbh && !header.empty()) columns.at[static_cast<std::size_t>(K::circumference)].reset();
+    if (kind == K::circumference && !header.empty()) columns.at[static_cast<std::size_t>(K::dbh)].reset();
   }
 }
 
@@ -191,7 +192,7 @@ Result<StemColumns> recognise_columns(const StemTable& table, const ReadOptions&
   if (!position) return Result<StemColumns>::failure(position.issues);
   StemColumns columns;
   columns.position = *position;
-  if (const auto it = options.columns.find("dbh"); it != options.columns.end()) {
+  if (const auto it = options.columns.find("dbh"); it != options.columns.end() && !it->second.empty()) {
     columns.census_year = table.names[*table.find(it->second)].year;
     columns.several_censuses = columns.census_year && census_columns(table).size() > 1;
   } else {

@@ -6,6 +6,14 @@
 
 namespace stemwise {
 
+/// In which unit a column is read, and how that was known.
+struct UnitChoice {
+  ColumnKind kind;
+  std::string unit;
+  std::string how;       ///< "by header", "as told", "median 31.5"
+  bool guessed = false;
+};
+
 /// Which column of a table means what, and in which unit: everything that is needed to make stems of its rows.
 struct StemColumns {
   PositionColumns position;
@@ -20,6 +28,7 @@ struct StemColumns {
   std::optional<int> census_year;///< where the table has a column per census
   bool several_censuses = false; ///< then a stem without a diameter in this one was not there
   std::optional<std::size_t> genus;
+  std::vector<UnitChoice> units; ///< one per column that has a unit
   std::vector<std::string> notes;///< "dbh: column DBH, cm (by header)"
   Issues issues;                 ///< guesses as warnings
 

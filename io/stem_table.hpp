@@ -31,6 +31,14 @@ struct StemTable {
   std::vector<double> numbers(std::size_t column) const;
 };
 
+/// A stem table with what its file says about it.
+struct OpenedTable {
+  StemTable table;
+  std::optional<int> epsg;          ///< system of its x and y, where the file knows it
+  std::string format;               ///< "table", "workbook (XLSX)", "GIS points (GPKG)"
+  std::vector<std::string> sheets;  ///< of a workbook, or layers; the one that was opened is in the table's notes
+};
+
 /// How sure one is that a row of a grid is the header of a stem table: recognised columns, and more when they give
 /// positions. 0: it is not.
 int header_score(const GridRow& row, const ReadOptions& options);

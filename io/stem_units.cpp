@@ -77,6 +77,7 @@ class UnitDecision {
  private:
   void note(K kind, std::size_t column, const Unit& unit, const std::string& more = {}) {
     columns_.notes.push_back(std::string(to_string(kind)) + ": column " + table_.header[column] + ", " + unit.word + more + " (" + unit.how + ")");
+    columns_.units.push_back({kind, unit.word, unit.how, unit.guessed});
     if (!unit.guessed) return;
     columns_.issues.push_back({Severity::warning, table_.file, table_.header_row, table_.header[column],
                                "unit guessed: " + unit.word + " (" + unit.how + ")",

@@ -23,7 +23,7 @@ constexpr double quadrat_m = 20.0;
 /// Turns rows into stems and gathers what is wrong with them.
 class StemMaker {
  public:
-  StemMaker(const StemTable& table, const StemColumns& columns) : table_(table), columns_(columns) {
+  StemMaker(const StemTable& table, const StemColumns& columns, const ReadOptions& options) : table_(table), columns_(columns), options_(options) {
     if (const auto at = columns[K::status]) numbers_from_one_ = table.names[*at].base == "statuscd";
   }
 
@@ -208,7 +208,8 @@ class StemMaker {
       stem.species = (genus.empty() ? std::string() : std::string(genus) + " ") + std::string(species);
     }
     if (const auto status = text(columns_[K::status]); !status.empty()) {
-      stem.status = stem_status_from(status, numbers_from_one_);
+      const auto told = options_.status_codes.find(std::string(status));
+      stem.status = told != options_.status_codes.end() ? told->second : stem_status_from(status, numbers_from_one_);
       unknown_status_ += stem.status == StemStatus::unknown && !is_missing_mark(status) ? 1 : 0;
     }
     if (const auto date = text(columns_[K::date]); !is_missing_mark(date)) {
@@ -251,6 +252,7 @@ class StemMaker {
 
   const StemTable& table_;
   const StemColumns& columns_;
+  const ReadOptions& options_;
   bool numbers_from_one_ = false;
   bool bad_ = false;
 };
@@ -347,11 +349,22 @@ Issue nothing_usable(const StemTable& table) {
 
 }  // namespace
 
+Result<Inventory> inventory_from_table(OpenedTable opened, const ReadOptions& options) {
+  const bool told = !opened.epsg && options.epsg;
+  if (told && !is_known_epsg(*options.epsg)) {
+    return Result<Inventory>::failure(Issue{Severity::error, opened.table.file, 0, {}, "there is no coordinate system EPSG:" + std::to_string(*options.epsg), "for example 25832"});
+  }
+  if (told) opened.table.notes.push_back("coordinate system: " + crs_name(*options.epsg) + " (EPSG:" + std::to_string(*options.epsg) + "), as told");
+  auto result = inventory_from_table(std::move(opened.table), options, told ? options.epsg : opened.epsg);
+  if (result) result->source.format = std::move(opened.format);
+  return result;
+}
+
 Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& options, std::optional<int> epsg) {
   if (const auto kept = keep_one_plot(table, options); !kept) return Result<Inventory>::failure(kept.issues);
   const auto columns = recognise_columns(table, options);
   if (!columns) return Result<Inventory>::failure(columns.issues);
-  StemMaker made(table, *columns);
+  StemMaker made(table, *columns, options);
   made.run();
 
   Inventory inventory;

@@ -10,6 +10,7 @@
 #include "ui/actions/action.hpp"
 #include "ui/charts.hpp"
 #include "ui/geometry.hpp"
+#include "ui/import_view.hpp"
 
 namespace stemwise::ui {
 
@@ -18,7 +19,11 @@ namespace request {
 struct Run { ActionId action; };
 /// `stem`: the one of its stems that is meant; none: the one that its doubt is about.
 struct SelectTree { TreeId tree; bool fly = true; StemRef stem = {}; };
-struct AddInventories { std::vector<std::string> paths; };
+/// `ask`: show how they are understood first, also when nothing is in doubt.
+struct AddInventories { std::vector<std::string> paths; bool ask = false; };
+/// Of the files in the import dialog: read one again with these settings.
+struct ImportEdit { std::size_t file; ImportSettings settings; };
+struct ImportFinish { bool take; };  ///< into the project, or never mind
 struct OpenProject { std::string path; };
 struct SaveProject { std::string path; };
 struct RemoveInventory { InventoryId inventory; };
@@ -61,7 +66,7 @@ struct Pointer {
 }  // namespace request
 
 using Request =
-    std::variant<request::Run, request::SelectTree, request::AddInventories, request::OpenProject, request::SaveProject,
+    std::variant<request::Run, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::OpenProject, request::SaveProject,
                  request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::LinkStems,
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::SetGeoreference, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,

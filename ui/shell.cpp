@@ -7,6 +7,7 @@
 
 #include "ui/actions/keys.hpp"
 #include "ui/dialogs/file_browser.hpp"
+#include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/palette.hpp"
 #include "ui/dialogs/small_dialogs.hpp"
 #include "ui/panels/align_panel.hpp"
@@ -84,6 +85,7 @@ struct Shell::Impl {
   StatusBar status_bar;
   EmptyState empty;
   FileBrowser files;
+  ImportDialog import;
   Palette palette;
   Dialog browsing = Dialog::none;  ///< which dialog the file browser is open for
 
@@ -209,6 +211,7 @@ void Shell::Impl::draw_dialogs(Frame& frame) {
       // A modal popup that nobody draws any more would go on blocking the mouse.
       if (ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, false);
       break;
+    case Dialog::import: import.draw(widgets, frame); break;
     case Dialog::palette: palette.draw(widgets, frame); break;
     case Dialog::keys: draw_keys_sheet(widgets, frame); break;
     case Dialog::about: draw_about(widgets, frame); break;
@@ -231,6 +234,7 @@ void Shell::Impl::start_browsing(Frame& frame) {
   switch (browsing) {
     case Dialog::open_project: mode = {"Open a project", "Open", {".gpkg"}, false, false, ""}; break;
     case Dialog::add_inventories: mode = {"Add inventories", "Add", {}, false, true, ""}; break;
+    case Dialog::import_inventories: mode = {"Import with options", "Look at them", {}, false, true, ""}; break;
     case Dialog::save_project: mode = {"Save the project", "Save", {".gpkg"}, true, false, title + ".gpkg"}; break;
     case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".csv", ".xlsx", ".geojson", ".shp", ".kml", ".dxf", ".fgb"}, true, false, title + "-trees.gpkg"}; break;
     default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv"}, true, false, title + "-growth.html"}; break;
@@ -244,6 +248,7 @@ void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& 
   switch (browsing) {
     case Dialog::open_project: frame.requests.emit(request::OpenProject{paths.front()}); break;
     case Dialog::add_inventories: frame.requests.emit(request::AddInventories{paths}); break;
+    case Dialog::import_inventories: frame.requests.emit(request::AddInventories{paths, true}); break;
     case Dialog::save_project: frame.requests.emit(request::SaveProject{paths.front()}); break;
     case Dialog::export_path: report.set_export_path(paths.front()); break;
     default: report.set_report_path(paths.front()); break;

@@ -14,7 +14,7 @@ enum class ViewMode { map, space };
 enum class Tool { select, measure, link };
 enum class ColorBy { inventory, fate, dbh, growth, residual, confidence, times_seen };
 enum class BottomTab { queue, matches, growth, log, jobs };
-enum class Dialog { none, open_project, add_inventories, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
+enum class Dialog { none, open_project, add_inventories, import_inventories, import, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
 
 /// What is laid over the map and the 3D view.
 struct Layers {

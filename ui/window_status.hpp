@@ -7,6 +7,7 @@
 #include "core/base/issue.hpp"
 #include "ui/charts.hpp"
 #include "ui/geometry.hpp"
+#include "ui/import_view.hpp"
 
 namespace stemwise::ui {
 
@@ -87,6 +88,7 @@ struct WindowStatus {
   std::optional<OverlayLine> measure_line;
   std::string measure_text;                 ///< what the measuring tool has to say
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing
+  std::vector<ImportFile> imports;          ///< what the import dialog is about
   std::optional<Question> question;         ///< asked while the dialog `question` is open
 
   const JobView* running() const {

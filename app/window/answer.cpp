@@ -12,7 +12,9 @@ struct Answer {
 
   void operator()(const request::Run& r) const { run_action(m, r.action); }
   void operator()(const request::SelectTree& r) const { select_tree(m, r.tree, r.fly, r.stem); }
-  void operator()(const request::AddInventories& r) const { add_inventories(m, r.paths); }
+  void operator()(const request::AddInventories& r) const { add_inventories(m, r.paths, r.ask); }
+  void operator()(const request::ImportEdit& r) const { edit_import(m, r); }
+  void operator()(const request::ImportFinish& r) const { finish_import(m, r.take); }
   void operator()(const request::OpenProject& r) const {
     leave_then(m, [&model = m, path = r.path] { open_project(model, path); });
   }

@@ -55,6 +55,7 @@ Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>())
     m.preferences = read_preferences(preferences_file(options.config_folder));
     m.autosave_folder = options.config_folder + "/autosave";
     parts_->autosave = std::make_unique<Autosave>(m.autosave_folder);
+    m.import_memory = ImportMemory::read(options.config_folder + "/imports.json");
     apply_preferences(m.preferences, m.view);
   }
   m.status.home_folder = platform::home_folder();

@@ -1,41 +1,12 @@
 #include "app/window/project_io.hpp"
 
-#include <filesystem>
-
 #include "core/simulate/simulate_forest.hpp"
-#include "core/survey/build_global_inventory.hpp"
 #include "core/survey/report_model.hpp"
 #include "io/export_layer.hpp"
 #include "io/project_file.hpp"
-#include "io/read_inventory.hpp"
 #include "io/report/write_report.hpp"
 
 namespace stemwise {
-namespace {
-
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
-
-}  // namespace
-
-ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& progress) {
-  ReadSurveys read;
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const auto share = [&](double k) { return (static_cast<double>(i) + k) / static_cast<double>(paths.size()); };
-    progress.at(share(0.0), "Reading " + file_name(paths[i]));
-    Result<Inventory> one = read_inventory(paths[i]);
-    if (one) *one = with_global_stems(std::move(*one), {}, progress.stage(share(0.3), share(1.0)));
-    read.push_back({paths[i], std::move(one)});
-  }
-  return read;
-}
-
-Result<Inventory> read_survey_in_unit(const std::string& path, const std::string& column, const std::string& unit, const Progress& progress) {
-  progress.at(0.1, "Reading " + file_name(path));
-  ReadOptions options;
-  options.units[column] = unit;
-  return read_inventory(path, options);
-}
-
 ReadSurveys make_demo(const Progress& progress) {
   SimulateSettings settings;
   settings.seed = 7;

@@ -17,10 +17,6 @@ struct ReadSurvey {
   Result<Inventory> inventory;  ///< with what was to say about it
 };
 using ReadSurveys = std::vector<ReadSurvey>;
-/// Reads files and folders in the order given, each ready to be aligned. Throws Cancelled.
-ReadSurveys read_surveys(const std::vector<std::string>& paths, const Progress& progress);
-/// One of them again, with the unit of a column told: `column` and `unit` are the words of `--unit`.
-Result<Inventory> read_survey_in_unit(const std::string& path, const std::string& column, const std::string& unit, const Progress& progress);
 /// The simulated forest of the demo, surveyed in three years.
 ReadSurveys make_demo(const Progress& progress);
 

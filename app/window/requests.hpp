@@ -1,4 +1,5 @@
 #pragma once
+#include "app/window/project_io.hpp"
 #include "app/window/window_model.hpp"
 #include "ui/requests.hpp"
 
@@ -23,8 +24,14 @@ void link(WindowModel& model, StemRef from, StemRef to);
 void set_selected_fate(WindowModel& model, std::optional<Fate> fate);
 
 // Surveys (survey_requests.cpp).
-void add_inventories(WindowModel& model, const std::vector<std::string>& paths);
+JobVerdict take_surveys(WindowModel& model, ReadSurveys read);
 void add_demo(WindowModel& model);
+
+// Import (import_requests.cpp).
+/// Reads them; the import dialog opens where something was guessed or went wrong, or where it is asked for.
+void add_inventories(WindowModel& model, const std::vector<std::string>& paths, bool ask = false);
+void edit_import(WindowModel& model, const ui::request::ImportEdit& edit);
+void finish_import(WindowModel& model, bool take_them);
 
 // Files (file_requests.cpp).
 void remember_folder(WindowModel& model, const std::string& path);  ///< where the next file dialog starts

@@ -16,6 +16,7 @@ bool run_file_action(WindowModel& m, ActionId action) {
     case file_new: leave_then(m, [&m] { new_project(m); }); return true;
     case file_open: leave_then(m, [&m] { m.view.dialog = ui::Dialog::open_project; }); return true;
     case file_add: m.view.dialog = ui::Dialog::add_inventories; return true;
+    case file_import: m.view.dialog = ui::Dialog::import_inventories; return true;
     case file_demo: leave_then(m, [&m] { add_demo(m); }); return true;
     case file_save: m.leaves_after_saving = false; save(m); return true;
     case file_save_as: m.leaves_after_saving = false; m.view.dialog = ui::Dialog::save_project; return true;

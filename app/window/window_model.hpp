@@ -8,6 +8,7 @@
 #include "app/window/document.hpp"
 #include "app/window/job_runner.hpp"
 #include "app/window/notice_list.hpp"
+#include "app/window/pending_import.hpp"
 #include "app/window/preferences.hpp"
 #include "app/window/review_walk.hpp"
 #include "app/window/viewport_host.hpp"
@@ -27,6 +28,8 @@ struct WindowModel {
   NoticeList notices;
   ViewportHost viewport;
   ChartHost charts;
+  std::vector<PendingImport> imports;              ///< in the import dialog, in the order of status.imports
+  ImportMemory import_memory;
   ReviewWalk walk;                                 ///< through the queue, by N and P
   float scale = 1.0f;                              ///< of the interface just now
   std::vector<AlignHints::RoughPose> rough_poses;  ///< given by a person, for every later run

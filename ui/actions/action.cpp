@@ -17,6 +17,7 @@ constexpr std::array<Action, action_count> table{{
     {file_new, "file.new", "New project", Menu::file, ctrl('N'), "Starts an empty project."},
     {file_open, "file.open", "Open project…", Menu::file, ctrl('O'), "Opens a project file (GeoPackage)."},
     {file_add, "file.add", "Add inventories…", Menu::file, ctrl('I'), "Reads stem lists, tables or frame folders into the project.", true},
+    {file_import, "file.import", "Import with options…", Menu::file, ctrl_shift('I'), "Shows how files will be understood before they are taken: columns, units, date, coordinates, status codes."},
     {file_demo, "file.demo", "Open the demo", Menu::file, ctrl('D'), "A simulated forest surveyed in three years, to try everything on."},
     {file_save, "file.save", "Save", Menu::file, ctrl('S'), "Writes the project file; the old one is replaced only by a complete one.", true},
     {file_save_as, "file.save_as", "Save as…", Menu::file, ctrl_shift('S'), "Writes the project under another name."},

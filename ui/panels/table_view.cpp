@@ -68,8 +68,10 @@ void draw_table(Widgets& w, const TableView& table) {
   }
   ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
   if (table.sorted) flags |= ImGuiTableFlags_Sortable;
+  const bool wide = table.least_width > w.available_width();
+  if (wide) flags |= ImGuiTableFlags_ScrollX;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {w.px(8), w.px(3)});
-  if (ImGui::BeginTable(table.path.c_str(), static_cast<int>(table.columns.size()), flags, {0, 0})) {
+  if (ImGui::BeginTable(table.path.c_str(), static_cast<int>(table.columns.size()), flags, {0, 0}, wide ? table.least_width : 0.0f)) {
     ImGui::TableSetupScrollFreeze(0, 1);
     for (const Column& c : table.columns) {
       const ImGuiTableColumnFlags first = c.sorts_first ? ImGuiTableColumnFlags_DefaultSort : 0;

@@ -30,6 +30,7 @@ struct TableView {
   std::function<void(std::size_t row)> clicked;
   std::function<void(std::size_t column, bool ascending)> sorted;  ///< empty: the head does not sort
   std::size_t scroll_to = static_cast<std::size_t>(-1);            ///< a row to bring into view
+  float least_width = 0.0f;                                        ///< px; wider than the room: scrolls sideways
   std::string empty_text = "Nothing here";
 };
 

@@ -110,6 +110,28 @@ void MatchEditor::merge(TreeId into, TreeId from) {
   set_tree(into, std::move(kept));
 }
 
+void MatchEditor::receive(TreeId id, StemRef gone, StemRef come) {
+  TreeRecord record = state_.trees.at(id);
+  std::erase(record.stems, gone);
+  for (const StemRef& stem : record.stems) {
+    set_match_state(stem, gone, MatchState::rejected);
+    const auto match = state_.matches.find(ordered(stem, come));  // what kept them apart is overruled now
+    if (match != state_.matches.end() && !match->second.joins()) set_match(ordered(stem, come), std::nullopt);
+  }
+  if (!record.stems.empty()) set_match_state(record.stems.front(), come, MatchState::linked);
+  record.stems.push_back(come);
+  std::sort(record.stems.begin(), record.stems.end());
+  set_tree(id, std::move(record));
+}
+
+void MatchEditor::exchange(StemRef a, StemRef b) {
+  const TreeId tree_a = state_.tree_of(a), tree_b = state_.tree_of(b);
+  receive(tree_a, a, b);
+  receive(tree_b, b, a);
+  keep_joined(tree_a);
+  keep_joined(tree_b);
+}
+
 void MatchEditor::log(const EditStamp& stamp, std::string what, std::string before, std::string after) {
   state_.edit_log.push_back({stamp.time_utc, stamp.author, std::move(what), std::move(before), std::move(after), stamp.note});
 }

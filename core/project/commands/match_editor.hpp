@@ -22,6 +22,8 @@ class MatchEditor {
   /// Moves `stems` out of `from` into a tree of their own; the former pairs between both sides are rejected.
   TreeId split(TreeId from, const std::vector<StemRef>& stems, const std::vector<StemPair>& must_reject);
   void merge(TreeId into, TreeId from);
+  /// Two stems of one inventory go to each other's tree: linked there, rejected here.
+  void exchange(StemRef a, StemRef b);
   void log(const EditStamp& stamp, std::string what, std::string before, std::string after);
 
   /// How to undo all of it.
@@ -37,6 +39,7 @@ class MatchEditor {
  private:
   Match measured(StemRef a, StemRef b) const;
   void keep_joined(TreeId id);
+  void receive(TreeId tree, StemRef gone, StemRef come);
 
   ProjectState& state_;
   Before before_;

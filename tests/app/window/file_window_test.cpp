@@ -68,53 +68,6 @@ TEST_F(WindowTest, AnExportOverAnotherFileAsksFirst) {
   EXPECT_NE(content(path).find("tree_id"), std::string::npos);
 }
 
-TEST_F(WindowTest, FilesThatCannotBeReadAreNamedWhileTheOthersAreTaken) {
-  make_surveys();
-  std::ofstream(folder_ / "empty.csv") << "";
-  std::ofstream(folder_ / "words.csv") << "x_m,y_m,dbh_cm\n1,2,3\nhere,5,6\n";
-  std::ofstream(folder_ / "nothing.csv") << "x_m,y_m,dbh_cm\nhere,there,6\n";
-  std::vector<std::string> paths;
-  for (const char* name : {"2018.csv", "empty.csv", "words.csv", "nothing.csv", "2023.csv"}) paths.push_back((folder_ / name).string());
-  window().desk().drop(paths);
-  window().settle();
-  EXPECT_EQ(state().inventories.size(), 3u);
-  const auto& notices = model().notices.all();
-  const auto failed = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return n.severity == Severity::error; });
-  ASSERT_NE(failed, notices.end());
-  EXPECT_EQ(failed->title, "2 of 5 files could not be read: empty.csv, nothing.csv");
-  const auto names_place = [](const Issue& issue) { return issue.file.find("nothing.csv") != std::string::npos && issue.row == 2 && issue.column == "x_m"; };
-  EXPECT_TRUE(std::any_of(failed->details.begin(), failed->details.end(), names_place));
-  const auto remarked = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return n.title.starts_with("Read 3 files"); });
-  ASSERT_NE(remarked, notices.end());
-  EXPECT_NE(remarked->severity, Severity::error);
-  const auto names_row = [](const Issue& issue) { return issue.file.find("words.csv") != std::string::npos && issue.row == 3; };
-  EXPECT_TRUE(std::any_of(remarked->details.begin(), remarked->details.end(), names_row));
-}
-
-TEST_F(WindowTest, AGuessedUnitIsAskedForAndTheFileReadAgain) {
-  std::ofstream file(folder_ / "plain.csv");
-  file << "x,y,dbh\n";
-  for (int i = 0; i < 40; ++i) file << i % 8 * 3 << "," << i / 8 * 4 << "," << 8 + i % 9 << "\n";
-  file.close();
-  window().desk().drop({(folder_ / "plain.csv").string()});
-  window().settle();
-  ASSERT_EQ(state().inventories.size(), 1u);
-  const double cm = *state().inventories.front()->stems.front().dbh_m;
-  const auto& notices = model().notices.all();
-  const auto asked = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return !n.choices.empty(); });
-  ASSERT_NE(asked, notices.end());
-  const int id = asked->id;
-  ASSERT_TRUE(window().click("toast/choice/" + std::to_string(id) + "/No, inch"));
-  window().settle();
-  ASSERT_EQ(state().inventories.size(), 1u);
-  EXPECT_NEAR(*state().inventories.front()->stems.front().dbh_m, 2.54 * cm, 1e-9);
-  EXPECT_EQ(state().inventories.front()->name, "plain");
-  EXPECT_EQ(state().reference, state().inventories.front()->id);
-  window().press(ui::ActionId::edit_undo);
-  window().settle();
-  EXPECT_NEAR(*state().inventories.front()->stems.front().dbh_m, cm, 1e-12);
-}
-
 TEST_F(WindowTest, SurveysAreCalledByTheirYearOnlyWhenEachHasItsOwn) {
   make_surveys();
   fs::copy(folder_ / "2018.csv", folder_ / "bad.csv");

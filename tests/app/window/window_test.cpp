@@ -71,17 +71,6 @@ TEST_F(WindowTest, TwoSurveysAreOpenedAlignedCorrectedAndExported) {
   EXPECT_EQ(feature_count(out), static_cast<int>(model().document.derived().tables.trees.size()));
 }
 
-TEST_F(WindowTest, ABrokenFileIsANoticeAndNothingIsLost) {
-  open_surveys();
-  std::ofstream(folder_ / "broken.csv") << "";
-  const ProjectState before = state();
-  window().desk().drop({(folder_ / "broken.csv").string()});
-  window().settle();
-  EXPECT_EQ(state(), before);
-  ASSERT_FALSE(model().notices.all().empty());
-  EXPECT_EQ(model().notices.all().front().severity, Severity::error);
-}
-
 TEST_F(WindowTest, SavedAndOpenedAgainTheProjectIsTheSame) {
   open_surveys();
   align();

@@ -1,4 +1,5 @@
 #include "core/project/commands.hpp"
+#include "core/project/regroup_commands.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,15 @@ std::vector<Case> every_command() {
       {"LinkAcrossTrees", [](const Project& p) { return link_stems(stem_of(p, 0, 3), stem_of(p, 1, 4), stamp); }},
       {"LinkWithinTree", [](const Project& p) { return link_stems(stem_of(p, 0, 3), stem_of(p, 1, 3), stamp); }},
       {"UnlinkMiddle", [](const Project& p) { return unlink_stem(stem_of(p, 1, 3), stamp); }},
+      {"SwapStems", [](const Project& p) { return swap_stems(stem_of(p, 1, 3), stem_of(p, 1, 4), stamp); }},
+      {"SplitTree", [](const Project& p) { return split_tree(stem_of(p, 1, 3), stamp); }},
+      {"SplitAndMerge",
+       [](const Project& p) {
+         std::vector<CommandPtr> parts;
+         parts.push_back(split_tree(stem_of(p, 2, 3), stamp));
+         parts.push_back(merge_trees(p.state().tree_of(stem_of(p, 0, 3)), TreeId{p.state().next_tree}, stamp));
+         return group("Split and merge", std::move(parts));
+       }},
       {"SetFate", [](const Project& p) { return set_fate(p.state().tree_of(stem_of(p, 0, 3)), Fate::removed, stamp); }},
       {"SetNote", [](const Project& p) { return set_tree_note(p.state().tree_of(stem_of(p, 0, 3)), "fork", stamp); }},
       {"SetGeoreference", [](const Project&) { return set_georeference(anchor); }},
@@ -99,6 +109,52 @@ TEST_P(EveryCommand, LeavesEveryStemInExactlyOneTreeThatHoldsItOncePerInventory)
 }
 
 INSTANTIATE_TEST_SUITE_P(Law, EveryCommand, testing::ValuesIn(every_command()), [](const auto& param) { return param.param.name; });
+
+TEST(SwapStems, BothGoToTheOthersTreeAndStayThereInALaterRun) {
+  Project project = aligned_project();
+  const StemRef a = stem_of(project, 1, 3), b = stem_of(project, 1, 4);
+  const TreeId tree_a = project.state().tree_of(a), tree_b = project.state().tree_of(b);
+  project.execute(swap_stems(a, b, stamp));
+  EXPECT_EQ(project.state().tree_of(a), tree_b);
+  EXPECT_EQ(project.state().tree_of(b), tree_a);
+  EXPECT_EQ(project.state().trees.at(tree_a).stems.size(), 3u);
+  EXPECT_EQ(project.state().edit_log.back().before, tree_label(tree_a) + ", " + tree_label(tree_b));
+  project.execute(apply_alignment(test::straight_alignment(project.state()), {}));  // which says that both stand where they stood
+  EXPECT_EQ(project.state().tree_of(a), project.state().tree_of(stem_of(project, 0, 4)));
+  EXPECT_EQ(project.state().tree_of(b), project.state().tree_of(stem_of(project, 0, 3)));
+}
+
+TEST(SwapStems, RefusesStemsOfTwoSurveysWithASentence) {
+  const Project project = aligned_project();
+  EXPECT_EQ(why_not_swap(project.state(), stem_of(project, 0, 3), stem_of(project, 1, 4)), "Only two stems of one survey can change places");
+  EXPECT_EQ(why_not_swap(project.state(), stem_of(project, 1, 3), stem_of(project, 1, 4)), "");
+  ProjectState state = project.state();
+  EXPECT_THROW(swap_stems(stem_of(project, 0, 3), stem_of(project, 1, 4), stamp)->apply(state), std::logic_error);
+  EXPECT_EQ(state, project.state());
+}
+
+TEST(SplitTree, TheLaterSightingsBecomeATreeOfTheirOwn) {
+  Project project = aligned_project();
+  const TreeId tree = project.state().tree_of(stem_of(project, 0, 3));
+  EXPECT_NE(why_not_split(project.state(), stem_of(project, 0, 3)), "");
+  project.execute(split_tree(stem_of(project, 1, 3), stamp));
+  EXPECT_EQ(project.state().trees.at(tree).stems, std::vector<StemRef>{stem_of(project, 0, 3)});
+  const TreeId other = project.state().tree_of(stem_of(project, 1, 3));
+  EXPECT_EQ(project.state().tree_of(stem_of(project, 2, 3)), other);
+  project.execute(apply_alignment(test::straight_alignment(project.state()), {}));
+  EXPECT_NE(project.state().tree_of(stem_of(project, 0, 3)), project.state().tree_of(stem_of(project, 1, 3)));
+}
+
+TEST(MergeTrees, JoinsTreesSeenInDifferentSurveysOnly) {
+  Project project = aligned_project();
+  const TreeId tree = project.state().tree_of(stem_of(project, 0, 3)), next = project.state().tree_of(stem_of(project, 0, 4));
+  EXPECT_EQ(why_not_merge(project.state(), tree, next), "Both were seen in 2013: a tree has one stem per survey");
+  project.execute(split_tree(stem_of(project, 1, 3), stamp));
+  const TreeId other = project.state().tree_of(stem_of(project, 1, 3));
+  project.execute(merge_trees(other, tree, stamp));
+  EXPECT_EQ(project.state().trees.at(tree).stems.size(), 3u);
+  EXPECT_FALSE(project.state().trees.contains(other));
+}
 
 TEST(GroupCommand, RollsBackWhenAPartThrows) {
   Project project = aligned_project();
