@@ -118,23 +118,37 @@ void Colouring::describe_sequential(std::vector<double> values, std::string unit
     legend_.ticks.push_back({(tick / scale - range_.low) / (range_.high - range_.low), number_text(tick, decimals_of(step))});
 }
 
+std::optional<double> Colouring::change_of(const TreeRow& tree) const {
+  if (!is_total_change_) return tree.growth_m_per_year;
+  std::optional<double> first, last;
+  for (const std::optional<double>& dbh : tree.dbh_per_inventory_m) {
+    if (!dbh) continue;
+    if (first) last = dbh;
+    if (!first) first = dbh;
+  }
+  return first && last ? std::optional(*last - *first) : std::nullopt;
+}
+
 void Colouring::describe_growth(const Tables& tables) {
+  is_total_change_ = std::none_of(tables.trees.begin(), tables.trees.end(), [](const TreeRow& tree) { return tree.growth_m_per_year.has_value(); });
   std::vector<double> rates;
   for (const TreeRow& tree : tables.trees)
-    if (tree.growth_m_per_year) rates.push_back(std::abs(*tree.growth_m_per_year));
+    if (const auto change = change_of(tree)) rates.push_back(std::abs(*change));
   std::vector<double> errors;
-  for (const GrowthRow& row : tables.growth)
-    if (row.years && *row.years > 0.0) errors.push_back(std::sqrt(2.0) * row.dbh_error_m / *row.years);
+  for (const GrowthRow& row : tables.growth) {
+    if (is_total_change_) errors.push_back(std::sqrt(2.0) * row.dbh_error_m);
+    if (!is_total_change_ && row.years && *row.years > 0.0) errors.push_back(std::sqrt(2.0) * row.dbh_error_m / *row.years);
+  }
   growth_error_m_per_year_ = percentile(errors, 0.5);
-  constexpr double mm = 1000.0;
-  const double step = nice_step(std::max(percentile(rates, 0.98), 1e-4) * mm / 2.0);
-  range_.high = std::ceil(std::max(percentile(rates, 0.98), 1e-4) * mm / step) * step / mm;
+  const double units_per_m = is_total_change_ ? 100.0 : 1000.0;  // a whole change is told in cm
+  const double step = nice_step(std::max(percentile(rates, 0.98), 1e-4) * units_per_m / 2.0);
+  range_.high = std::ceil(std::max(percentile(rates, 0.98), 1e-4) * units_per_m / step) * step / units_per_m;
   range_.low = -range_.high;
-  legend_.unit = "mm per year";
+  legend_.unit = is_total_change_ ? "cm in all (no dates)" : "mm per year";
   for (int i = 0; i < gradient_stops; ++i)
     legend_.gradient.push_back(purple_white_orange(2.0 * i / (gradient_stops - 1) - 1.0, theme_));
-  for (double tick = -range_.high * mm; tick <= range_.high * mm + 1e-9; tick += step)
-    legend_.ticks.push_back({0.5 + 0.5 * tick / (range_.high * mm), signed_text(tick, decimals_of(step))});
+  for (double tick = -range_.high * units_per_m; tick <= range_.high * units_per_m + 1e-9; tick += step)
+    legend_.ticks.push_back({0.5 + 0.5 * tick / (range_.high * units_per_m), signed_text(tick, decimals_of(step))});
   legend_.entries.push_back({"Within error", neutral_grey(theme_), MarkShape::disc, std::nullopt});
   legend_.entries.push_back({"Unknown", neutral_grey(theme_), MarkShape::hollow, std::nullopt});
 }
@@ -160,8 +174,9 @@ MarkStyle Colouring::style_of(const ObservationRow& row, const TreeRow* tree, bo
     case ColorBy::times_seen: return measured(tree ? std::optional<double>(tree->times_seen) : std::nullopt);
     case ColorBy::growth: break;
   }
-  if (!tree || !tree->growth_m_per_year) return {neutral_grey(theme_), MarkShape::hollow};
-  const double rate = *tree->growth_m_per_year;
+  const std::optional<double> change = tree ? change_of(*tree) : std::nullopt;
+  if (!change) return {neutral_grey(theme_), MarkShape::hollow};
+  const double rate = *change;
   if (std::abs(rate) <= growth_error_m_per_year_) return {neutral_grey(theme_), MarkShape::disc};
   return {purple_white_orange(rate / range_.high, theme_), MarkShape::disc};
 }

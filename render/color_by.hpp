@@ -64,6 +64,7 @@ class Colouring {
     double low = 0.0;
     double high = 1.0;
   };
+  std::optional<double> change_of(const TreeRow& tree) const;
   Rgba sequential(const std::optional<double>& value) const;
   void describe_inventories(const ProjectState& state, const Tables& tables);
   void describe_fates(const Tables& tables);
@@ -76,6 +77,7 @@ class Colouring {
   std::vector<InventoryId> order_;  ///< surveys in the order of their colours
   Range range_;                     ///< in the row's own unit (m, m per year, 1)
   double growth_error_m_per_year_ = 0.0;
+  bool is_total_change_ = false;    ///< no survey pair has dates: DBH change as a whole instead of per year
   Legend legend_;
 };
 

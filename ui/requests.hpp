@@ -30,6 +30,7 @@ struct RemoveInventory { InventoryId inventory; };
 struct MakeReference { InventoryId inventory; };
 struct SetDate { InventoryId inventory; std::optional<Date> date; };
 struct AcceptProbable { InventoryId inventory; };
+struct SelectGroup { std::vector<TreeId> trees; };  ///< empty: none
 struct LinkStems { StemRef a, b; };
 struct RejectPair { StemRef a, b; };
 struct AcceptPair { StemRef a, b; };
@@ -67,7 +68,7 @@ struct Pointer {
 
 using Request =
     std::variant<request::Run, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::OpenProject, request::SaveProject,
-                 request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::LinkStems,
+                 request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::SelectGroup, request::LinkStems,
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::SetGeoreference, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,
                  request::DismissNotices, request::NoticeChoice, request::AnswerQuestion, request::Recover, request::Leave, request::RoughPose, request::Export, request::WriteReport,

@@ -120,6 +120,7 @@ void Shell::draw(Frame& frame) {
   if (frame.view.dialog == Dialog::none && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     frame.view.tool = Tool::select;
     frame.view.blink = false;
+    frame.view.group.clear();
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const Layout layout = lay_out(w, frame, size.x, size.y);

@@ -5,13 +5,15 @@
 
 #include "core/base/ids.hpp"
 #include "core/survey/fate.hpp"
+#include "ui/queue_filter.hpp"
 #include "ui/theme/style.hpp"
 
 namespace stemwise::ui {
 
 enum class Step { inventories = 1, align, review, merge, report };
 enum class ViewMode { map, space };
-enum class Tool { select, measure, link };
+enum class Tool { select, rectangle, measure, link, swap, merge };
+enum class Heat { none, density, times_seen, residual };
 enum class ColorBy { inventory, fate, dbh, growth, residual, confidence, times_seen };
 enum class BottomTab { queue, matches, growth, log, jobs };
 enum class Dialog { none, open_project, add_inventories, import_inventories, import, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
@@ -23,6 +25,7 @@ struct Layers {
   bool grid = true;
   bool ground = true;
   bool labels = false;
+  bool residuals = false;  ///< arrows from sighting to sighting, lengthened
   bool operator==(const Layers&) const = default;
 };
 
@@ -50,7 +53,10 @@ struct ViewState {
   TreeId selected_tree;
   StemRef selected_stem;           ///< of the selected tree: Unlink takes it out, Accept and Reject decide on its match
   InventoryId selected_inventory;
-  StemRef link_from;               ///< while the link tool waits for the second stem
+  std::vector<TreeId> group;       ///< several trees selected together, ascending; decisions mean all of them
+  StemRef link_from;               ///< while the tools link, swap and merge wait for the second stem
+  QueueFilter queue;
+  Heat heat = Heat::none;
   bool blink = false;
   ThemeName theme = ThemeName::light;
   bool reduce_motion = false;

@@ -85,6 +85,8 @@ struct WindowStatus {
   std::vector<std::string> places;          ///< folders used lately
   std::string version;
   std::string renderer;                     ///< GL_RENDERER
+  std::optional<OverlayLine> click_line;    ///< from the stem that a tool began with to the one under the mouse
+  std::optional<Rect> selection_box;        ///< drawn by the mouse just now, in the picture's pixels
   std::optional<OverlayLine> measure_line;
   std::string measure_text;                 ///< what the measuring tool has to say
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing

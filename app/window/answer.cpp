@@ -23,7 +23,8 @@ struct Answer {
   void operator()(const request::MakeReference& r) const { m.execute(set_reference(r.inventory)); }
   void operator()(const request::SetDate& r) const { m.execute(set_inventory_date(r.inventory, r.date)); }
   void operator()(const request::AcceptProbable& r) const { m.execute(accept_probable(r.inventory)); }
-  void operator()(const request::LinkStems& r) const { link(m, r.a, r.b); }
+  void operator()(const request::LinkStems& r) const { use_tool(m, ui::Tool::link, r.a, r.b); }
+  void operator()(const request::SelectGroup& r) const { select_group(m, r.trees); }
   void operator()(const request::RejectPair& r) const { m.execute(reject_match(r.a, r.b, stamp_now())); }
   void operator()(const request::AcceptPair& r) const { m.execute(accept_match(r.a, r.b, stamp_now())); }
   void operator()(const request::SetFate& r) const { m.execute(set_fate(r.tree, r.fate, stamp_now())); }
@@ -58,7 +59,13 @@ struct Answer {
   void operator()(const request::Pointer& r) const {
     const auto pick = m.viewport.pointer(r, m.view);
     if (r.clicked && m.view.tool != ui::Tool::measure) {
-      pick ? click_stem(m, *pick) : select_tree(m, TreeId{}, false);
+      const bool adds = r.ctrl && pick && pick->tree && m.view.tool == ui::Tool::select;
+      adds ? toggle_in_group(m, pick->tree) : pick ? click_stem(m, *pick) : select_tree(m, TreeId{}, false);
+    }
+    if (auto trees = m.viewport.take_selection()) {
+      if (r.ctrl) trees->insert(trees->end(), m.view.group.begin(), m.view.group.end());
+      select_group(m, std::move(*trees));
+      m.view.tool = ui::Tool::select;
     }
     if (r.double_clicked && m.view.selected_tree) m.viewport.fly_to(m.view.selected_tree, !m.view.reduce_motion);  // the first click selected it
   }

@@ -20,6 +20,8 @@ void reset_view(WindowModel& m) {
   m.view.selected_inventory = m.document.state().reference;
   m.view.hidden.clear();
   m.view.only_fate.reset();
+  m.view.group.clear();
+  m.view.queue = {};
   m.view.tool = ui::Tool::select;
   m.rough_poses.clear();
   m.walk = {};

@@ -171,6 +171,8 @@ void HeadlessWindow::wheel(float notches) {
 
 void HeadlessWindow::hold_ctrl(bool held) { ImGui::GetIO().KeyCtrl = held; }
 
+void HeadlessWindow::hold_shift(bool held) { ImGui::GetIO().KeyShift = held; }
+
 void HeadlessWindow::press(ui::KeyChord chord) {
   ImGuiIO& io = ImGui::GetIO();
   io.KeyCtrl = chord.ctrl;

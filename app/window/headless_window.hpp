@@ -41,6 +41,7 @@ class HeadlessWindow {
   void drag(float x0, float y0, float x1, float y1, int button = 0);
   void wheel(float notches);
   void hold_ctrl(bool held);              ///< while clicking
+  void hold_shift(bool held);             ///< while dragging
   void press(ui::KeyChord chord);
   void press(ui::ActionId action);        ///< by its key
   void type(const std::string& text);     ///< UTF-8, into the focused field

@@ -19,9 +19,19 @@ void go_to_doubtful(WindowModel& model, bool forward);
 void accept_selected(WindowModel& model);
 void reject_selected(WindowModel& model);
 void unlink_selected(WindowModel& model);
-void start_linking(WindowModel& model);
-void link(WindowModel& model, StemRef from, StemRef to);
+void start_tool(WindowModel& model, ui::Tool tool);
+void split_selected(WindowModel& model);
+/// Runs the tool in hand (link, swap, merge) on two stems; where that cannot be, a notice says why.
+void use_tool(WindowModel& model, ui::Tool tool, StemRef from, StemRef to);
 void set_selected_fate(WindowModel& model, std::optional<Fate> fate);
+
+// Several trees at once (group_requests.cpp). One tree is no group: it is selected as by a click.
+void select_group(WindowModel& model, std::vector<TreeId> trees);
+void toggle_in_group(WindowModel& model, TreeId tree);
+void accept_group(WindowModel& model);  ///< every automatic match of them, and fates that are in doubt
+void reject_group(WindowModel& model);  ///< the match of each that is in doubt
+void set_group_fate(WindowModel& model, std::optional<Fate> fate);
+void toggle_queue_region(WindowModel& model);
 
 // Surveys (survey_requests.cpp).
 JobVerdict take_surveys(WindowModel& model, ReadSurveys read);

@@ -1,7 +1,9 @@
 #include <algorithm>
 
+#include "app/window/click_effect.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
+#include "core/project/regroup_commands.hpp"
 #include "ui/frame.hpp"
 
 namespace stemwise {
@@ -10,17 +12,6 @@ namespace {
 const TreeRecord* selected_record(const WindowModel& m) {
   const auto it = m.document.state().trees.find(m.view.selected_tree);
   return it == m.document.state().trees.end() ? nullptr : &it->second;
-}
-
-/// The stem of `tree` to join with `other`: one of another survey, the one the person chose before.
-StemRef partner_for(const ProjectState& state, TreeId tree, StemRef chosen, StemRef other) {
-  if (chosen.index >= 0 && chosen.inventory != other.inventory && state.tree_of(chosen) == tree) return chosen;
-  const auto it = state.trees.find(tree);
-  if (it == state.trees.end()) return {};
-  for (const StemRef& stem : it->second.stems) {
-    if (stem.inventory != other.inventory) return stem;
-  }
-  return {};
 }
 
 void after_edit(WindowModel& m, StemRef stem) {
@@ -40,6 +31,7 @@ StemRef doubtful_stem(const WindowModel& m, TreeId tree) {
 void show_tree(WindowModel& m, TreeId tree, bool fly, StemRef stem) {
   const ProjectState& state = m.document.state();
   const bool known = state.trees.contains(tree);
+  m.view.group.clear();
   m.view.selected_tree = known ? tree : TreeId{};
   if (stem.index < 0) stem = doubtful_stem(m, tree);
   m.view.selected_stem = known && stem.index >= 0 && state.tree_of(stem) == tree ? stem : StemRef{};
@@ -55,8 +47,8 @@ void select_tree(WindowModel& m, TreeId tree, bool fly, StemRef stem) {
 }
 
 void click_stem(WindowModel& m, const render::Pick& pick) {
-  if (m.view.tool == ui::Tool::link) {
-    link(m, m.view.link_from, pick.stem);
+  if (m.view.tool == ui::Tool::link || m.view.tool == ui::Tool::swap || m.view.tool == ui::Tool::merge) {
+    use_tool(m, m.view.tool, m.view.link_from, pick.stem);
     return;
   }
   // The stems of one tree lie over each other: the first click means the tree and what is in doubt about it, another one the stem.
@@ -67,12 +59,15 @@ void click_stem(WindowModel& m, const render::Pick& pick) {
 }
 
 void go_to_doubtful(WindowModel& m, bool forward) {
-  const std::vector<QueueRow>& queue = m.document.derived().tables.queue;
-  if (queue.empty()) return;
+  std::vector<QueueRow> queue;  // what the filters of the queue show: N keeps to it
+  for (const QueueRow& row : m.document.derived().tables.queue) {
+    if (ui::passes(m.view.queue, m.view, m.document.derived(), row)) queue.push_back(row);
+  }
   const auto to = forward ? m.walk.next(queue) : m.walk.previous(queue);
   m.view.step = ui::Step::review;
   if (!to) {
-    m.notices.add(Severity::note, "Every doubtful tree is decided");
+    const bool part = m.view.queue.hides_rows() || m.view.only_fate;
+    m.notices.add(Severity::note, part ? "Every doubtful tree that the queue's filters show is decided" : "Every doubtful tree is decided");
     return;
   }
   m.walk.stand_on(queue[*to], !forward);
@@ -80,6 +75,7 @@ void go_to_doubtful(WindowModel& m, bool forward) {
 }
 
 void accept_selected(WindowModel& m) {
+  if (!m.view.group.empty()) return accept_group(m);
   const MatchRow* match = ui::match_to_decide(m.document.derived(), m.view);
   const TreeRow* tree = m.document.derived().tree(m.view.selected_tree);
   m.walk.decided(m.view.selected_tree);
@@ -91,6 +87,7 @@ void accept_selected(WindowModel& m) {
 }
 
 void reject_selected(WindowModel& m) {
+  if (!m.view.group.empty()) return reject_group(m);
   const MatchRow* match = ui::match_to_decide(m.document.derived(), m.view);
   if (match == nullptr) return;
   m.walk.decided(m.view.selected_tree);
@@ -107,39 +104,34 @@ void unlink_selected(WindowModel& m) {
   after_edit(m, stem);
 }
 
-void start_linking(WindowModel& m) {
+void start_tool(WindowModel& m, ui::Tool tool) {
   const TreeRecord* record = selected_record(m);
   if (record == nullptr || record->stems.empty()) return;
   const bool chosen = std::find(record->stems.begin(), record->stems.end(), m.view.selected_stem) != record->stems.end();
   m.view.link_from = chosen ? m.view.selected_stem : record->stems.back();
-  m.view.tool = ui::Tool::link;
+  m.view.tool = tool;
 }
 
-void link(WindowModel& m, StemRef from, StemRef to) {
-  const ProjectState& state = m.document.state();
-  const TreeId from_tree = state.tree_of(from);
-  const TreeId to_tree = state.tree_of(to);
-  if (from == to || (from_tree && from_tree == to_tree)) {
-    m.notices.add(Severity::note, "These stems are one tree already");
+void split_selected(WindowModel& m) {
+  const StemRef first = ui::unlink_target(m.document.state(), m.view);
+  if (first.index < 0 || !why_not_split(m.document.state(), first).empty()) return;
+  m.walk.decided(m.view.selected_tree);
+  m.execute(split_tree(first, stamp_now()));
+  after_edit(m, first);
+}
+
+void use_tool(WindowModel& m, ui::Tool tool, StemRef from, StemRef to) {
+  const ClickEffect effect = effect_of_click(m.document.state(), tool, from, to);
+  if (!effect.possible) {
+    m.notices.add(Severity::warning, effect.words);
     return;
   }
-  if (from.inventory == to.inventory) {
-    const StemRef other_from = partner_for(state, from_tree, from, to);
-    const StemRef other_to = partner_for(state, to_tree, to, from);
-    if (other_from.index >= 0) {
-      from = other_from;
-    } else if (other_to.index >= 0) {
-      to = other_to;
-    } else {
-      m.notices.add(Severity::warning, "Both stems are of " + ui::survey_label(state, from.inventory) + ": a tree has one stem per survey");
-      return;
-    }
-  }
-  m.execute(link_stems(from, to, stamp_now()));
-  after_edit(m, from);
+  m.execute(command_of(m.document.state(), tool, effect, stamp_now()));
+  after_edit(m, effect.from);
 }
 
 void set_selected_fate(WindowModel& m, std::optional<Fate> fate) {
+  if (!m.view.group.empty()) return set_group_fate(m, fate);
   if (selected_record(m) != nullptr) m.execute(set_fate(m.view.selected_tree, fate, stamp_now()));
 }
 

@@ -49,6 +49,7 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_focus: m.viewport.fly_to(v.selected_tree, !v.reduce_motion); return true;
     case view_blink: toggle(v.blink); return true;
     case view_links: toggle(v.layers.links); return true;
+    case view_residuals: toggle(v.layers.residuals); return true;
     case view_coverage: toggle(v.layers.coverage); return true;
     case view_grid: toggle(v.layers.grid); return true;
     case view_labels: toggle(v.layers.labels); return true;
@@ -60,6 +61,7 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_zoom_in: v.zoom_percent = std::min(200.0, v.zoom_percent + 10.0); return true;
     case view_zoom_out: v.zoom_percent = std::max(80.0, v.zoom_percent - 10.0); return true;
     case tool_select: v.tool = ui::Tool::select; return true;
+    case tool_rectangle: v.tool = v.tool == ui::Tool::rectangle ? ui::Tool::select : ui::Tool::rectangle; return true;
     case tool_measure:
       v.tool = v.tool == ui::Tool::measure ? ui::Tool::select : ui::Tool::measure;
       m.viewport.forget_measure();
@@ -77,7 +79,12 @@ bool run_review_action(WindowModel& m, ActionId action) {
     case review_previous: go_to_doubtful(m, false); return true;
     case review_accept: accept_selected(m); return true;
     case review_reject: reject_selected(m); return true;
-    case review_link: start_linking(m); return true;
+    case review_link: start_tool(m, ui::Tool::link); return true;
+    case review_swap: start_tool(m, ui::Tool::swap); return true;
+    case review_merge: start_tool(m, ui::Tool::merge); return true;
+    case review_split: split_selected(m); return true;
+    case review_region: toggle_queue_region(m); return true;
+    case review_clear_filters: m.view.queue = {}; m.view.only_fate.reset(); return true;
     case review_unlink: unlink_selected(m); return true;
     case review_dead: set_selected_fate(m, Fate::dead); return true;
     case review_removed: set_selected_fate(m, Fate::removed); return true;
@@ -94,7 +101,10 @@ bool run_review_action(WindowModel& m, ActionId action) {
 
 void run_action(WindowModel& m, ActionId action) {
   if (run_file_action(m, action) || run_edit_action(m, action) || run_view_action(m, action) || run_review_action(m, action)) return;
-  if (action >= color_inventory && action <= color_times_seen) {
+  if (action >= heat_density && action <= heat_residual) {
+    const auto wanted = static_cast<ui::Heat>(static_cast<int>(action) - static_cast<int>(heat_density) + 1);
+    m.view.heat = m.view.heat == wanted ? ui::Heat::none : wanted;
+  } else if (action >= color_inventory && action <= color_times_seen) {
     m.view.color_by = static_cast<ui::ColorBy>(static_cast<int>(action) - static_cast<int>(color_inventory));
   } else if (action >= step_inventories && action <= step_report) {
     m.view.step = static_cast<ui::Step>(static_cast<int>(action) - static_cast<int>(step_inventories) + 1);

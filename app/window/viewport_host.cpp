@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/click_effect.hpp"
 #include "core/geometry/rigid_transform.hpp"
 #include "ui/frame.hpp"
 #include "ui/text/format.hpp"
@@ -13,6 +14,7 @@ namespace {
 constexpr double blink_period_s = 0.7;
 
 render::ColorBy color_by(ui::ColorBy by) { return static_cast<render::ColorBy>(by); }
+static_assert(static_cast<int>(render::HeatMap::residual) == static_cast<int>(ui::Heat::residual));
 static_assert(static_cast<int>(render::ColorBy::times_seen) == static_cast<int>(ui::ColorBy::times_seen) &&
               static_cast<int>(render::ColorBy::growth) == static_cast<int>(ui::ColorBy::growth));
 
@@ -52,7 +54,10 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, d
   options.ground = view.layers.ground;
   options.labels = view.layers.labels;
   options.legend = view.color_by != ui::ColorBy::fate || !view.panels.show_left;
-  if (view.selected_tree) options.selected = {view.selected_tree};
+  options.residuals = view.layers.residuals;
+  options.heat = static_cast<render::HeatMap>(view.heat);
+  options.selected = view.group;
+  if (view.selected_tree) options.selected.push_back(view.selected_tree);
   if (!view.selected_tree && view.selected_stem.index >= 0) options.selected_stems = {view.selected_stem};
   options.hovered = hovered_;
   options.moving = dragging_;
@@ -63,6 +68,7 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, d
 ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
   const render::PixelSize size{static_cast<int>(std::lround(rect.width)), static_cast<int>(std::lround(rect.height))};
   if (size.width < 8 || size.height < 8) return {};
+  shown_ = {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   const std::uint32_t texture = viewport_.render(size, scale);
   if (renderer_.empty()) renderer_ = viewport_.renderer_name();
   return {texture, size.width, size.height};
@@ -73,19 +79,54 @@ bool ViewportHost::advance(double elapsed_s, const ui::ViewState& view) {
   return flying || view.blink || dragging_;
 }
 
+void ViewportHost::move_camera(const ui::request::Pointer& p, bool space) {
+  if (space && p.left_down && !p.shift) {
+    viewport_.orbit(p.dx_px, p.dy_px);
+  } else {
+    viewport_.pan(p.dx_px, p.dy_px);
+  }
+}
+
+void ViewportHost::draw_box(const ui::request::Pointer& p) {
+  const auto x = static_cast<float>(p.x_px), y = static_cast<float>(p.y_px);
+  if (!box_) box_ = ui::Rect{x - static_cast<float>(p.dx_px), y - static_cast<float>(p.dy_px), 0, 0};
+  box_->width = x - box_->x;
+  box_->height = y - box_->y;
+}
+
+std::optional<ui::MapRegion> ViewportHost::map_region() const {
+  const auto a = viewport_.world_at(0, 0), b = viewport_.world_at(shown_.width, shown_.height);
+  const auto c = viewport_.world_at(shown_.width, 0), d = viewport_.world_at(0, shown_.height);
+  if (shown_.width < 8 || !a || !b || !c || !d) return std::nullopt;
+  ui::MapRegion region{1e300, 1e300, -1e300, -1e300};
+  for (const auto& corner : {a, b, c, d}) {
+    region.low_x_m = std::min(region.low_x_m, corner->position_m.x());
+    region.low_y_m = std::min(region.low_y_m, corner->position_m.y());
+    region.high_x_m = std::max(region.high_x_m, corner->position_m.x());
+    region.high_y_m = std::max(region.high_y_m, corner->position_m.y());
+  }
+  return region;
+}
+
 std::optional<render::Pick> ViewportHost::pointer(const ui::request::Pointer& p, const ui::ViewState& view) {
   const bool space = view.mode == ui::ViewMode::space;
   const bool moves = p.left_down || p.middle_down || p.right_down;
-  dragging_ = moves && (p.dx_px != 0.0 || p.dy_px != 0.0 || dragging_);
-  if (moves && space && p.left_down && !p.shift) {
-    viewport_.orbit(p.dx_px, p.dy_px);
+  const bool boxes = p.left_down && (box_ || view.tool == ui::Tool::rectangle || (p.shift && !space));
+  dragging_ = moves && !boxes && (p.dx_px != 0.0 || p.dy_px != 0.0 || dragging_);
+  if (boxes) {
+    draw_box(p);
   } else if (moves) {
-    viewport_.pan(p.dx_px, p.dy_px);
+    move_camera(p, space);
+  }
+  if (box_ && !p.left_down) {
+    drawn_selection_ = viewport_.trees_in_rectangle(box_->x, box_->y, box_->x + box_->width, box_->y + box_->height);
+    box_.reset();
   }
   if (p.wheel != 0.0) viewport_.zoom_at(p.x_px, p.y_px, std::pow(1.2, p.wheel));
   cursor_px_ = p.hovered ? std::optional<Eigen::Vector2d>({p.x_px, p.y_px}) : std::nullopt;
   const std::optional<render::Pick> under = p.hovered && !moves ? viewport_.pick(p.x_px, p.y_px) : std::nullopt;
   hovered_ = under ? under->tree : TreeId{};
+  hovered_stem_ = under ? under->stem : StemRef{};
   if (!p.clicked) return std::nullopt;
   if (view.tool != ui::Tool::measure) return under;
   if (const auto world = viewport_.world_at(p.x_px, p.y_px)) {
@@ -97,6 +138,7 @@ std::optional<render::Pick> ViewportHost::pointer(const ui::request::Pointer& p,
 
 void ViewportHost::describe(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
   describe_hover(document, view, status);
+  describe_click(document, view, status);
   describe_cursor(document, status);
   describe_measure(document, view, status);
   status.renderer = renderer_;
@@ -115,6 +157,20 @@ void ViewportHost::describe_hover(const Document& document, const ui::ViewState&
     card.warning = true;
   }
   status.hover = std::move(card);
+}
+
+void ViewportHost::describe_click(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
+  status.click_line.reset();
+  status.selection_box.reset();
+  if (box_) status.selection_box = ui::Rect{std::min(box_->x, box_->x + box_->width), std::min(box_->y, box_->y + box_->height), std::abs(box_->width), std::abs(box_->height)};
+  const bool pairs = view.tool == ui::Tool::link || view.tool == ui::Tool::swap || view.tool == ui::Tool::merge;
+  if (!pairs || !hovered_stem_.inventory || !hovered_) return;
+  const ClickEffect effect = effect_of_click(document.state(), view.tool, view.link_from, hovered_stem_);
+  const auto a = viewport_.pixels_of(document.state().tree_of(view.link_from)), b = viewport_.pixels_of(hovered_);
+  if (a && b) status.click_line = ui::OverlayLine{a->x(), a->y(), b->x(), b->y()};
+  if (!status.hover) return;
+  status.hover->detail = effect.words;
+  status.hover->warning = !effect.possible;
 }
 
 void ViewportHost::describe_cursor(const Document& document, ui::WindowStatus& status) const {

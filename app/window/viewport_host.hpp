@@ -23,6 +23,10 @@ class ViewportHost {
   /// What a click hit; the camera is moved here.
   std::optional<render::Pick> pointer(const ui::request::Pointer& pointer, const ui::ViewState& view);
   void fly_to(TreeId tree, bool animated) { viewport_.fly_to(tree, animated); }
+  /// The trees in a rectangle that was just drawn by Shift and a drag, or with the tool for it; once.
+  std::optional<std::vector<TreeId>> take_selection() { return std::exchange(drawn_selection_, std::nullopt); }
+  /// What the map shows, in the reference's frame; nothing before the first frame.
+  std::optional<ui::MapRegion> map_region() const;
   void fit() { viewport_.fit(); }
   void forget_measure() { measured_.clear(); }
 
@@ -33,11 +37,18 @@ class ViewportHost {
 
  private:
   void describe_hover(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
+  void describe_click(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
+  void move_camera(const ui::request::Pointer& pointer, bool space);
+  void draw_box(const ui::request::Pointer& pointer);
   void describe_cursor(const Document& document, ui::WindowStatus& status) const;
   void describe_measure(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
 
   render::Viewport viewport_;
   TreeId hovered_;
+  StemRef hovered_stem_;
+  std::optional<ui::Rect> box_;  ///< from where the button went down to the cursor; sizes may be negative
+  std::optional<std::vector<TreeId>> drawn_selection_;
+  ui::Rect shown_;               ///< the picture, in pixels
   std::optional<Eigen::Vector2d> cursor_px_;
   std::vector<Eigen::Vector3d> measured_;  ///< 0, 1 or 2 points in the reference's frame
   bool dragging_ = false;

@@ -11,6 +11,22 @@ namespace {
 
 constexpr double least_doubt = 0.15;
 
+/// How the reason of each kind begins, as it is written below, and what the kind is called.
+struct KindWords {
+  const char* begins;
+  const char* label;
+};
+constexpr std::array<KindWords, doubt_kind_count> kind_words{{{"second candidate", "Second candidate"},
+                                                              {"shrank", "Shrank"},
+                                                              {"grew", "Grew too fast"},
+                                                              {"residual", "Large residual"},
+                                                              {"matched across a species change", "Species change"},
+                                                              {"confidence", "Low confidence"},
+                                                              {"missing inside coverage", "Missing inside coverage"},
+                                                              {"at the edge", "Edge of coverage"},
+                                                              {"too big to be ingrowth", "Missed earlier"},
+                                                              {"", "Other"}}};
+
 std::string words(const char* format, double a, double b = 0.0) {
   std::array<char, 96> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, a, b);
@@ -65,6 +81,14 @@ Doubt doubt_of_tree(const TreeRow& tree) {
 }
 
 }  // namespace
+
+const char* doubt_label(DoubtKind kind) { return kind_words[static_cast<std::size_t>(kind)].label; }
+
+DoubtKind kind_of(const QueueRow& row) {
+  std::size_t kind = 0;
+  while (!row.why.starts_with(kind_words[kind].begins)) ++kind;  // the last one begins every reason
+  return static_cast<DoubtKind>(kind);
+}
 
 std::vector<QueueRow> review_queue(const ProjectState& state, const Tables& tables) {
   std::vector<QueueRow> queue;

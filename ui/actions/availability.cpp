@@ -1,5 +1,8 @@
 #include "ui/actions/availability.hpp"
 
+#include <algorithm>
+
+#include "core/project/regroup_commands.hpp"
 #include "ui/frame.hpp"
 
 namespace stemwise::ui {
@@ -41,28 +44,54 @@ void project_reasons(Reasons& r, const Project& project, const ViewState& view, 
            "The selected inventory has no pose that waits for a decision");
 }
 
-void tree_reasons(Reasons& r, const Project& project, const Derived& derived, const ViewState& view) {
-  const ProjectState& state = project.state();
-  r.unless(!derived.tables.trees.empty(), {export_run, export_report}, "Add inventories first: there is nothing to write yet");
-  r.unless(!derived.tables.queue.empty(), {review_next, review_previous}, "No tree is in doubt");
-  const auto tree = state.trees.find(view.selected_tree);
-  const bool chosen = tree != state.trees.end();
-  r.unless(chosen,
-           {view_focus, review_accept, review_reject, review_link, review_unlink, review_dead, review_removed, review_missed_earlier,
-            review_ingrowth, review_clear_fate},
-           "Select a tree first");
-  if (!chosen) return;
+constexpr std::initializer_list<ActionId> fate_actions{review_dead, review_removed, review_missed_earlier, review_ingrowth, review_clear_fate};
+
+/// Decisions on several trees at once.
+void group_reasons(Reasons& r, const Derived& derived, const ViewState& view) {
+  const auto any = [&](const auto& holds) { return std::any_of(view.group.begin(), view.group.end(), holds); };
+  const auto open_match = [&](TreeId tree) {
+    const std::vector<const MatchRow*> rows = derived.matches_of(tree);
+    return std::any_of(rows.begin(), rows.end(), [](const MatchRow* m) { return m->state == MatchState::automatic; });
+  };
+  const auto open_doubt = [&](TreeId tree, bool of_match) {
+    const QueueRow* doubt = derived.doubt(tree);
+    return doubt != nullptr && !doubt->decided && doubt->match.has_value() == of_match;
+  };
+  r.unless(any([&](TreeId t) { return open_match(t) || open_doubt(t, false); }), {review_accept}, "All matches of the selected trees are decided");
+  r.unless(any([&](TreeId t) { return open_doubt(t, true); }), {review_reject}, "No match of the selected trees is in doubt");
+  r.unless(false, {view_focus, review_link, review_unlink, review_swap, review_split, review_merge}, "Select one tree: several are selected");
+}
+
+void one_tree_reasons(Reasons& r, const ProjectState& state, const Derived& derived, const ViewState& view, const TreeRecord& tree) {
   const MatchRow* match = match_to_decide(derived, view);
   const TreeRow* row = derived.tree(view.selected_tree);
   const bool fate_to_confirm = row != nullptr && derived.doubt(view.selected_tree) != nullptr;
   r.unless(match != nullptr || fate_to_confirm, {review_accept}, "This tree has no match to accept");
-  const bool fate_in_doubt = match == nullptr && fate_to_confirm && tree->second.stems.size() >= 2;
+  const bool fate_in_doubt = match == nullptr && fate_to_confirm && tree.stems.size() >= 2;
   r.unless(!fate_in_doubt, {review_reject}, "The doubt is about the tree's fate: set it in the menu Review, or click a stem in its history first");
   r.unless(match != nullptr, {review_reject}, "This tree has no match to reject");
   r.unless(match == nullptr || match->state != MatchState::accepted, {review_accept}, "It is accepted already");
-  r.unless(tree->second.stems.size() >= 2, {review_unlink}, "This tree was seen in one survey only: there is nothing to unlink");
-  r.unless(derived.tables.inventories.size() >= 2, {review_link}, "Linking needs two aligned surveys");
-  r.unless(tree->second.fate_by_hand.has_value(), {review_clear_fate}, "No fate was set by hand");
+  r.unless(tree.stems.size() >= 2, {review_unlink}, "This tree was seen in one survey only: there is nothing to unlink");
+  r.unless(derived.tables.inventories.size() >= 2, {review_link, review_swap, review_merge}, "Linking needs two aligned surveys");
+  r.unless(tree.fate_by_hand.has_value(), {review_clear_fate}, "No fate was set by hand");
+  const StemRef first = unlink_target(state, view);
+  const std::string why_not = first.index < 0 ? "This tree was seen in one survey only: there is nothing to split" : why_not_split(state, first);
+  r.unless(why_not.empty(), {review_split}, why_not);
+}
+
+void tree_reasons(Reasons& r, const Project& project, const Derived& derived, const ViewState& view) {
+  const ProjectState& state = project.state();
+  r.unless(!derived.tables.trees.empty(), {export_run, export_report}, "Add inventories first: there is nothing to write yet");
+  r.unless(!derived.tables.queue.empty(), {review_next, review_previous}, "No tree is in doubt");
+  r.unless(!derived.tables.queue.empty(), {review_region}, "The queue is empty");
+  r.unless(view.queue.hides_rows() || view.only_fate, {review_clear_filters}, "The queue is not filtered");
+  r.unless(!state.trees.empty(), {tool_rectangle}, "Add inventories first");
+  if (!view.group.empty()) return group_reasons(r, derived, view);
+  const auto tree = state.trees.find(view.selected_tree);
+  const bool chosen = tree != state.trees.end();
+  r.unless(chosen, {view_focus, review_accept, review_reject, review_link, review_unlink, review_swap, review_split, review_merge}, "Select a tree first");
+  r.unless(chosen, fate_actions, "Select a tree first");
+  if (chosen) one_tree_reasons(r, state, derived, view, tree->second);
 }
 
 }  // namespace

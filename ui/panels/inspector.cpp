@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/panels/chart_view.hpp"
+#include "ui/text/effect_words.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise::ui {
@@ -44,6 +45,10 @@ std::string growth_sentence(const Frame& frame, const TreeRow& tree) {
 
 void Inspector::draw(Widgets& w, Frame& frame) {
   const TreeRow* tree = frame.derived.tree(frame.view.selected_tree);
+  if (!frame.view.group.empty()) {
+    draw_group(w, frame);
+    return;
+  }
   if (tree == nullptr) {
     draw_nothing(w, frame);
     return;
@@ -141,16 +146,55 @@ void Inspector::draw_sighting(Widgets& w, Frame& frame, const ObservationRow& ro
 
 void Inspector::draw_buttons(Widgets& w, Frame& frame) {
   w.gap(10);
-  const Rect block = w.next_rect(w.available_width(), w.px(68));
+  const Rect block = w.next_rect(w.available_width(), w.px(144));
   const float gap = w.px(8);
   const float half = 0.5f * (block.width - gap);
   const float height = w.px(30);
-  const float second = block.y + height + gap;
-  w.action_button_in({block.x, block.y, half, height}, "review/accept", ActionId::review_accept, frame.available, frame.requests, {.primary = true});
-  w.action_button_in({block.x + half + gap, block.y, half, height}, "review/reject", ActionId::review_reject, frame.available, frame.requests);
-  w.action_button_in({block.x, second, half, height}, "review/link", ActionId::review_link, frame.available, frame.requests,
-                     {.active = frame.view.tool == Tool::link});
-  w.action_button_in({block.x + half + gap, second, half, height}, "review/unlink", ActionId::review_unlink, frame.available, frame.requests);
+  const auto place = [&](int column, int row) { return Rect{block.x + static_cast<float>(column) * (half + gap), block.y + static_cast<float>(row) * (height + gap), half, height}; };
+  const auto button = [&](int column, int row, const char* path, ActionId id, ButtonLook look) { w.action_button_in(place(column, row), path, id, frame.available, frame.requests, std::move(look)); };
+  button(0, 0, "review/accept", ActionId::review_accept, {.primary = true, .tooltip = accept_words(frame)});
+  button(1, 0, "review/reject", ActionId::review_reject, {.tooltip = reject_words(frame)});
+  button(0, 1, "review/link", ActionId::review_link, {.active = frame.view.tool == Tool::link});
+  button(1, 1, "review/unlink", ActionId::review_unlink, {.tooltip = unlink_words(frame)});
+  button(0, 2, "review/swap", ActionId::review_swap, {.active = frame.view.tool == Tool::swap});
+  button(1, 2, "review/split", ActionId::review_split, {.tooltip = split_words(frame)});
+  button(0, 3, "review/merge", ActionId::review_merge, {.active = frame.view.tool == Tool::merge});
+  ImGui::SetCursorScreenPos({block.x, block.bottom()});
+  ImGui::Dummy({block.width, w.px(4)});
+}
+
+void Inspector::draw_group(Widgets& w, Frame& frame) {
+  const std::vector<TreeId>& group = frame.view.group;
+  const std::string title = plural(static_cast<std::int64_t>(group.size()), "tree", "trees") + " selected";
+  w.text(title, TextRole::title);
+  w.record_last("group/count", title);
+  w.paragraph("Decisions mean all of them, and one Undo takes them back. Esc: select none.", TextRole::table, Tone::secondary);
+  std::array<int, fate_count> fates{};
+  int open = 0, doubtful = 0;
+  for (const TreeId id : group) {
+    const TreeRow* tree = frame.derived.tree(id);
+    if (tree != nullptr) ++fates[static_cast<std::size_t>(tree->fate)];
+    for (const MatchRow* match : frame.derived.matches_of(id)) open += match->state == MatchState::automatic ? 1 : 0;
+    const QueueRow* doubt = frame.derived.doubt(id);
+    doubtful += doubt != nullptr && !doubt->decided ? 1 : 0;
+  }
+  w.gap(8);
+  for (std::size_t i = 0; i < fate_count; ++i) {
+    if (fates[i] > 0) w.fact(std::string("group/fate/") + to_string(static_cast<Fate>(i)), fate_label(static_cast<Fate>(i)), count_text(fates[i]));
+  }
+  w.fact("group/open", "Matches not decided by hand", count_text(open));
+  w.fact("group/doubtful", "Trees in doubt", count_text(doubtful));
+  w.gap(10);
+  const auto button = [&](const char* path, ActionId id, ButtonLook look) {
+    look.width = -1.0f;
+    w.action_button(path, id, frame.available, frame.requests, std::move(look));
+  };
+  button("group/accept", ActionId::review_accept, {.primary = true, .tooltip = "Accepts " + plural(open, "match", "matches") + " and the fates that are in doubt"});
+  button("group/reject", ActionId::review_reject, {.tooltip = "Rejects the matches that are in doubt; the others stay"});
+  w.section("Fate of all of them");
+  for (const ActionId id : {ActionId::review_dead, ActionId::review_removed, ActionId::review_missed_earlier, ActionId::review_ingrowth, ActionId::review_clear_fate}) {
+    button((std::string("group/") + action(id).name).c_str(), id, {});
+  }
 }
 
 void Inspector::find_neighbours(const Frame& frame, const TreeRow& tree) {

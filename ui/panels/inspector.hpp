@@ -11,6 +11,7 @@ class Inspector {
 
  private:
   void draw_nothing(Widgets& w, Frame& frame);
+  void draw_group(Widgets& w, Frame& frame);  ///< several trees at once
   void draw_head(Widgets& w, Frame& frame, const TreeRow& tree);
   void draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree);
   void draw_history(Widgets& w, Frame& frame, const TreeRow& tree);

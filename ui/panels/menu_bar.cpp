@@ -11,6 +11,7 @@ bool is_on(const Frame& frame, ActionId id) {
   const ViewState& v = frame.view;
   switch (id) {
     case ActionId::view_links: return v.layers.links;
+    case ActionId::view_residuals: return v.layers.residuals;
     case ActionId::view_coverage: return v.layers.coverage;
     case ActionId::view_grid: return v.layers.grid;
     case ActionId::view_labels: return v.layers.labels;
@@ -21,8 +22,13 @@ bool is_on(const Frame& frame, ActionId id) {
     case ActionId::view_reduce_motion: return v.reduce_motion;
     case ActionId::view_blink: return v.blink;
     case ActionId::tool_select: return v.tool == Tool::select;
+    case ActionId::tool_rectangle: return v.tool == Tool::rectangle;
+    case ActionId::review_region: return v.queue.region.has_value();
     case ActionId::tool_measure: return v.tool == Tool::measure;
     default: break;
+  }
+  if (id >= ActionId::heat_density && id <= ActionId::heat_residual) {
+    return static_cast<int>(id) - static_cast<int>(ActionId::heat_density) + 1 == static_cast<int>(v.heat);
   }
   if (id >= ActionId::color_inventory && id <= ActionId::color_times_seen) {
     return static_cast<int>(id) - static_cast<int>(ActionId::color_inventory) == static_cast<int>(v.color_by);

@@ -13,15 +13,17 @@ class QueueTable {
 
  private:
   void filter(const Frame& frame);
+  void draw_filters(Widgets& w, Frame& frame);
+  void draw_progress(Widgets& w, const Frame& frame);
   struct Key {
     std::uint64_t revision = ~0ULL;
-    std::string text;
-    bool open_only = true;
+    QueueFilter filter;
     std::optional<Fate> fate;
+    TreeId selected;  ///< stays in the list when it is decided, until another one is looked at
     bool operator==(const Key&) const = default;
   };
   Key key_;
-  Key wanted_;
+  QueueProgress progress_;
   std::vector<std::size_t> rows_;  ///< into tables.queue
   TreeId shown_tree_;
 };

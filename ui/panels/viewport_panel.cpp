@@ -96,10 +96,15 @@ void ViewportPanel::draw_layers(Widgets& w, Frame& frame, const Rect& button) {
   if (!ImGui::BeginPopup("layers")) return;
   Layers& l = frame.view.layers;
   w.checkbox("layers/links", "Match links", l.links);
+  w.checkbox("layers/residuals", "Residual arrows", l.residuals);
   w.checkbox("layers/coverage", "Coverage of each survey", l.coverage);
   w.checkbox("layers/grid", "Grid", l.grid);
   w.checkbox("layers/ground", "Ground (3D)", l.ground);
   w.checkbox("layers/labels", "Tree labels", l.labels);
+  int heat = static_cast<int>(frame.view.heat);
+  w.gap(6);
+  w.text("Heat map", TextRole::caption, Tone::secondary);
+  if (w.combo("layers/heat", {"none", "stem density", "times seen", "mean residual"}, heat, w.px(200))) frame.view.heat = static_cast<Heat>(heat);
   ImGui::EndPopup();
 }
 
@@ -127,6 +132,20 @@ void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
   w.record("viewport/tree", {rect.x + static_cast<float>(card.x_px), rect.y + static_cast<float>(card.y_px), 0, 0}, card.title);
 }
 
+void ViewportPanel::draw_selection_box(Widgets& w, Frame& frame, const Rect& rect) {
+  if (frame.status.click_line) {
+    const OverlayLine& line = *frame.status.click_line;
+    const ImVec2 a{rect.x + static_cast<float>(line.x0_px), rect.y + static_cast<float>(line.y0_px)};
+    const ImVec2 b{rect.x + static_cast<float>(line.x1_px), rect.y + static_cast<float>(line.y1_px)};
+    ImGui::GetWindowDrawList()->AddLine(a, b, w.tokens().accent.packed(), w.px(2));
+  }
+  if (!frame.status.selection_box) return;
+  const Rect& box = *frame.status.selection_box;
+  const Rect drawn{rect.x + box.x, rect.y + box.y, box.width, box.height};
+  w.fill(drawn, w.tokens().accent.with_alpha(0.10f));
+  w.outline(drawn, w.tokens().accent);
+}
+
 void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
   if (frame.status.measure_line) {
     const OverlayLine& line = *frame.status.measure_line;
@@ -137,8 +156,13 @@ void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
     draw->AddCircleFilled(a, w.px(4), w.tokens().accent.packed());
     draw->AddCircleFilled(b, w.px(4), w.tokens().accent.packed());
   }
+  draw_selection_box(w, frame, rect);
   std::string text;
-  if (frame.view.tool == Tool::link) text = "Click the stem that is the same tree as " + stem_label(frame.state(), frame.view.link_from) + ".  Esc: never mind";
+  const std::string from = stem_label(frame.state(), frame.view.link_from);
+  if (frame.view.tool == Tool::swap) text = "Click the stem that " + from + " changes places with.  Esc: never mind";
+  if (frame.view.tool == Tool::merge) text = "Click the tree that is the same as that of " + from + ".  Esc: never mind";
+  if (frame.view.tool == Tool::rectangle) text = "Drag a rectangle around trees; Ctrl adds to those selected.  Esc: stop";
+  if (frame.view.tool == Tool::link) text = "Click the stem that is the same tree as " + from + ".  Esc: never mind";
   if (frame.view.tool == Tool::measure) text = frame.status.measure_text;
   if (frame.view.blink) text = "Blinking between surveys.  Space: stop";
   if (text.empty()) return;

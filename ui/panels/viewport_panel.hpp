@@ -15,6 +15,7 @@ class ViewportPanel {
   void draw_tools(Widgets& w, Frame& frame, const Rect& rect);
   void draw_layers(Widgets& w, Frame& frame, const Rect& button);
   void draw_hover(Widgets& w, Frame& frame, const Rect& rect);
+  void draw_selection_box(Widgets& w, Frame& frame, const Rect& rect);
   void draw_banner(Widgets& w, Frame& frame, const Rect& rect);
 
   float press_x_ = 0.0f, press_y_ = 0.0f;

@@ -72,7 +72,7 @@ ButtonLook with_action(ButtonLook look, ActionId id, const Availabilities& avail
   const Action& a = action(id);
   look.key = look.quiet || look.icon != nullptr ? "" : to_string(a.chord);
   look.why_not = available[static_cast<std::size_t>(id)].why_not;
-  look.tooltip = std::string(a.help) + (a.chord == KeyChord{} ? "" : "  (" + to_string(a.chord) + ")");
+  look.tooltip = (look.tooltip.empty() ? std::string(a.help) : look.tooltip) + (a.chord == KeyChord{} ? "" : "  (" + to_string(a.chord) + ")");
   return look;
 }
 

@@ -133,18 +133,6 @@ TEST_F(WindowTest, PanelsDoNotOverlapAtTheSmallestSize) {
   }
 }
 
-TEST_F(WindowTest, EveryActionIsInAMenuWithItsReasonWhenGreyedOut) {
-  for (const char* menu : {"File", "Edit", "View", "Align", "Review", "Export", "Help"}) {
-    ASSERT_TRUE(window().click(std::string("menu/") + menu)) << menu;
-    for (const ui::Action& a : ui::all_actions()) {
-      if (std::string(ui::menu_label(a.menu)) != menu) continue;
-      EXPECT_NE(window().desk().registry().find(std::string("menu/") + a.name), nullptr) << a.name;
-    }
-    window().press({ui::Key::escape});
-    window().frames(2);
-  }
-}
-
 TEST_F(WindowTest, ThePaletteRunsWhatIsTyped) {
   window().press(ui::ActionId::help_palette);
   window().frames(3);
