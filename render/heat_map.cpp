@@ -1,6 +1,7 @@
 #include "render/heat_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -78,7 +79,34 @@ void describe(HeatGrid& heat, HeatMap kind) {
     heat.legend.ticks.push_back({tick / (heat.high * scale), number_text(tick, decimals_of(step))});
 }
 
+/// Where the line crosses the sides of one cell, in cell units.
+std::vector<Eigen::Vector2d> crossings(const std::array<float, 4>& corner, float level) {
+  static const std::array<Eigen::Vector2d, 4> at{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  std::vector<Eigen::Vector2d> found;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t k = (i + 1) % 4;
+    if ((corner[i] < level) == (corner[k] < level)) continue;
+    found.push_back(at[i] + static_cast<double>((level - corner[i]) / (corner[k] - corner[i])) * (at[k] - at[i]));
+  }
+  return found;
+}
+
 }  // namespace
+
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> contour_of(const HeatGrid& heat, float level) {
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segments;
+  const auto value = [&](int column, int row) { return heat.value[heat.at(column, row)]; };
+  const auto known = [&](int column, int row) { return heat.is_known[heat.at(column, row)] != 0; };
+  for (int row = 0; row + 1 < heat.rows; ++row)
+    for (int column = 0; column + 1 < heat.columns; ++column) {
+      if (!known(column, row) || !known(column + 1, row) || !known(column + 1, row + 1) || !known(column, row + 1)) continue;
+      const auto points = crossings({value(column, row), value(column + 1, row), value(column + 1, row + 1), value(column, row + 1)}, level);
+      const Eigen::Vector2d cell(column, row);
+      for (std::size_t i = 0; i + 1 < points.size(); i += 2)
+        segments.emplace_back(heat.low_m + heat.step_m * (cell + points[i]), heat.low_m + heat.step_m * (cell + points[i + 1]));
+    }
+  return segments;
+}
 
 HeatGrid estimate_heat(const SceneModel& scene, HeatMap kind) {
   if (kind == HeatMap::none || scene.empty()) return {};
@@ -102,6 +130,11 @@ HeatGrid estimate_heat(const SceneModel& scene, HeatMap kind) {
     heat.value[i] = kind == HeatMap::density ? heat.value[i] * per_ha : heat.is_known[i] ? heat.value[i] / weight[i] : 0.0F;
   }
   describe(heat, kind);
+  if (kind == HeatMap::times_seen && scene.surveys >= 2) {
+    const double level = 0.5 * (scene.surveys + 1);
+    heat.under_observed_m = contour_of(heat, static_cast<float>(level));
+    if (!heat.under_observed_m.empty()) heat.legend.entries.push_back({"Line: below " + number_text(level, 1) + " of " + std::to_string(scene.surveys) + " surveys", {}, MarkShape::hollow, std::nullopt});
+  }
   return heat;
 }
 

@@ -240,11 +240,14 @@ class OverlayPainter {
     double bottom = height_ - margin - (options_.scale_bar ? 42.0 : 0.0);
     if (const Legend& key = scene_.heat_legend; !key.title.empty()) {
       const double width = 210.0, x = width_ - margin - width;
-      bottom -= 70.0;
-      panel(x, bottom, width, 70.0);
+      const double height = 70.0 + 18.0 * static_cast<double>(key.entries.size());
+      bottom -= height;
+      panel(x, bottom, width, height);
       const std::string heading = key.unit.empty() ? key.title : key.title + ", " + key.unit;
       canvas_.text(x + 12.0, bottom + 17.0, heading, {12.0, Weight::semibold, colours_.text, Align::left});
       legend_gradient(key, x + 16.0, bottom + 33.0, width - 32.0);
+      for (std::size_t i = 0; i < key.entries.size(); ++i)
+        canvas_.text(x + 12.0, bottom + 74.0 + 18.0 * static_cast<double>(i), key.entries[i].label, {11.0, Weight::regular, colours_.secondary, Align::left});
       bottom -= 8.0;
     }
     if (!options_.residuals || scene_.links.empty()) return;

@@ -29,6 +29,7 @@ class SceneBuilder {
   SceneModel build() {
     scene_.reference = state_.reference;
     scene_.legend = colouring_.legend();
+    scene_.surveys = static_cast<int>(tables_.inventories.size());
     scene_.shows_sightings = !is_whole();
     if (state_.georeference.kind == GeoreferenceKind::anchor) scene_.north_azimuth_rad = radians(state_.georeference.azimuth_deg);
     if (state_.georeference.kind == GeoreferenceKind::crs) scene_.north_azimuth_rad = 0.0;

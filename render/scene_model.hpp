@@ -64,6 +64,7 @@ struct SceneModel {
   double residual_factor = 1.0;  ///< residual arrows are drawn this many times as long as they are
   double spacing_m = 4.0;        ///< typical distance between neighbouring trees
   std::optional<double> north_azimuth_rad;  ///< of the +y axis, clockwise from north; nothing while nobody has said where north is
+  int surveys = 0;               ///< that have a place
   bool shows_sightings = false;  ///< a mark per sighting, several on one spot; else one per tree
   bool has_terrain = false;      ///< at least three marks have a measured base height
   Legend legend;

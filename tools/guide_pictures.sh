@@ -8,7 +8,17 @@ stemwise=build/release/bin/stemwise
 out=docs/guide/$theme-$size
 mkdir -p "$out"
 script=$(mktemp)
-trap 'rm -f "$script"' EXIT
+table=$(mktemp -d)
+trap 'rm -rf "$script" "$table"' EXIT
+# A table as people have them: no unit, one row that is none, codes for the status.
+{ echo "nr;x;y;bhd;art;status"; for i in $(seq 1 60); do echo "$i;$((i * 7 % 50)),$((i % 10));$((i * 13 % 40)),5;$((12 + i * 5 % 38));$([ $((i % 3)) = 0 ] && echo Fichte || echo Buche);$([ $((i % 9)) = 0 ] && echo T || echo L)"; done; echo "61;here;3,5;20;Buche;L"; } > "$table/plot_2021.csv"
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+settle
+screenshot $out/11-import.png
+END
+"$stemwise" gui --script "$script" "$table/plot_2021.csv"
 cat > "$script" << END
 size ${size%x*} ${size#*x}
 theme $theme
@@ -33,6 +43,10 @@ do view.mode
 settle
 screenshot $out/5-review-3d.png
 do view.mode
+do heat.times_seen
+settle
+screenshot $out/12-heat-map.png
+do heat.times_seen
 click tabs/Matches
 settle
 screenshot $out/6-matches.png

@@ -41,10 +41,17 @@ struct ViewRenderer::Impl {
   std::unique_ptr<PaintedImage> overlay;
   bool is_software = false;
 
-  void fill_map(const SceneModel& scene, const ViewOptions& options) {
+  /// Outlines of coverage and of what was seen too seldom.
+  static std::vector<LineSegment> outlines(const SceneModel& scene, const HeatGrid& heat, const ViewOptions& options) {
+    std::vector<LineSegment> lines = options.coverage ? coverage_outlines(scene) : std::vector<LineSegment>{};
+    for (const auto& [a, b] : heat.under_observed_m) lines.push_back({{a.x(), a.y(), 0.0}, {b.x(), b.y(), 0.0}, theme_colours(options.theme).warning, 2.0});
+    return lines;
+  }
+
+  void fill_map(const SceneModel& scene, const HeatGrid& heat, const ViewOptions& options) {
     discs.fill(scene.marks);
     ghost_discs.fill(scene.ghosts);
-    map_lines.fill(options.coverage ? coverage_outlines(scene) : std::vector<LineSegment>{});
+    map_lines.fill(outlines(scene, heat, options));
     map_links.fill(options.residuals ? residual_arrows(scene, options.theme)
                    : options.links   ? link_lines(scene, options.theme, true)
                                      : std::vector<LineSegment>{});
@@ -111,7 +118,7 @@ void ViewRenderer::forget_scene() { impl_->is_map_stale = impl_->is_space_stale 
 void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, const HeatGrid& heat, const Projection& projection,
                               const ViewOptions& options) {
   const bool is_map = options.kind == ViewKind::map;
-  if (is_map && impl_->is_map_stale) impl_->fill_map(scene, options);
+  if (is_map && impl_->is_map_stale) impl_->fill_map(scene, heat, options);
   if (!is_map && impl_->is_space_stale) impl_->fill_space(scene, ground, options);
   if (impl_->surfaces_stale || impl_->surfaces_of_kind != options.kind) impl_->place_surfaces(scene, ground, heat, options);
   const double resolution = impl_->resolution(scene, projection, options);

@@ -159,6 +159,7 @@ void Inspector::draw_buttons(Widgets& w, Frame& frame) {
   button(0, 2, "review/swap", ActionId::review_swap, {.active = frame.view.tool == Tool::swap});
   button(1, 2, "review/split", ActionId::review_split, {.tooltip = split_words(frame)});
   button(0, 3, "review/merge", ActionId::review_merge, {.active = frame.view.tool == Tool::merge});
+  button(1, 3, "review/next", ActionId::review_next, {});
   ImGui::SetCursorScreenPos({block.x, block.bottom()});
   ImGui::Dummy({block.width, w.px(4)});
 }

@@ -90,7 +90,7 @@ void QueueTable::draw_filters(Widgets& w, Frame& frame) {
   ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + w.px(8), line.y});
   w.input("queue/filter", filter.text, {.hint = narrow ? "Filter" : "Filter by tree or reason", .width = w.px(narrow ? 76 : 164)});
   ImGui::SameLine(0, w.px(12));
-  w.checkbox("queue/open_only", narrow ? "Open" : "Undecided only", filter.open_only, "Off: decided rows are shown too");
+  w.checkbox("queue/open_only", narrow ? "Undecided" : "Undecided only", filter.open_only, "Off: decided rows are shown too");
   draw_progress(w, frame);
 }
 

@@ -65,7 +65,8 @@ TEST_F(RegistryTest, EveryActionIsInItsMenuOnTheKeysSheetAndInThePalette) {
   window().press(ui::ActionId::help_palette);
   window().frames(3);
   for (const ui::Action& a : ui::all_actions()) {
-    if (a.id != ui::ActionId::help_palette) EXPECT_EQ(window().value(std::string("palette/") + a.name), a.label) << a.name;
+    if (a.id == ui::ActionId::help_palette) continue;  // open already
+    EXPECT_EQ(window().value(std::string("palette/") + a.name), a.label) << a.name;
   }
 }
 

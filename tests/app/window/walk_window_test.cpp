@@ -23,7 +23,7 @@ namespace {
 constexpr const char* folder_variable = "STEMWISE_WALK_FOLDER";
 
 class WalkTest : public WindowTest {
- protected:
+ public:
   static fs::path messy() {
     const char* data = std::getenv("STEMWISE_SHARED_DATA");
     return fs::path(data != nullptr ? data : STEMWISE_SOURCE_DIR "/../shared/data") / "messy";
