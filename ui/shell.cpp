@@ -117,7 +117,8 @@ void Shell::draw(Frame& frame) {
   Widgets& w = impl_->widgets;
   w.registry.begin_frame();
   if (frame.view.dialog == Dialog::none) run_keys(frame.available, frame.requests);
-  if (frame.view.dialog == Dialog::none && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+  const bool plain = !ImGui::GetIO().KeyShift;  // with Shift, Escape cancels a job
+  if (frame.view.dialog == Dialog::none && plain && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     frame.view.tool = Tool::select;
     frame.view.blink = false;
     frame.view.group.clear();

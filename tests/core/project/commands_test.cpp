@@ -1,5 +1,6 @@
 #include "core/project/commands.hpp"
 #include "core/project/regroup_commands.hpp"
+#include "core/survey/tables.hpp"
 
 #include <gtest/gtest.h>
 
