@@ -39,6 +39,8 @@ void add_one(CLI::App& evaluate, CommonOptions& common, ChosenCommand& chosen) {
   for (CLI::App* command : {&intra, &inter}) {
     add_method(*command, options->method);
     add_outputs(*command, options->csv, "Write a row per query to this file", options->plots);
+    command->add_option("--cache", options->cache, "Folder where descriptors are kept between runs (default ~/.cache/stemwise; at most 1 GB)");
+    command->add_flag("--no-cache", options->no_cache, "Read and describe the frames, whatever is kept, and keep nothing");
     command->callback(runner(options, run_evaluate, chosen));
   }
 }

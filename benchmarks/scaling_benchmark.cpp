@@ -32,7 +32,7 @@ void query_among(benchmark::State& state, Scaling& data) {
   data.make();
   const auto count = static_cast<std::size_t>(state.range(0));
   const auto localizer = make_localizer(data.settings);
-  localizer->add({data.scenes.begin(), data.scenes.begin() + static_cast<std::ptrdiff_t>(count)}, 0);
+  localizer->add(std::vector<Scene>{data.scenes.begin(), data.scenes.begin() + static_cast<std::ptrdiff_t>(count)}, 0);
   const auto worker = localizer->worker();
   double retrieve_s = 0.0, verify_s = 0.0, done = 0.0, right = 0.0;
   for (auto _ : state) {

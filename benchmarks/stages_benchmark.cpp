@@ -7,9 +7,11 @@
 #include <benchmark/benchmark.h>
 
 #include "core/treeloc/localizer.hpp"
+#include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/prepare_scene.hpp"
 #include "core/treeloc/refine_pose.hpp"
 #include "core/treeloc/triangle_index.hpp"
+#include "core/treeloc/vote_scenes.hpp"
 #include "io/read_frame_folder.hpp"
 
 namespace stemwise::benchmarks {

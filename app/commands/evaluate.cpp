@@ -7,7 +7,9 @@
 
 #include "app/commands/evaluation_output.hpp"
 #include "app/commands/evaluation_plots.hpp"
+#include "app/platform/folders.hpp"
 #include "core/base/parallel.hpp"
+#include "io/survey_reader.hpp"
 
 namespace stemwise {
 namespace {
@@ -21,11 +23,21 @@ double peak_rss_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+/// Nothing is kept without a home folder.
+SurveyCacheOptions cache_of(const EvaluateOptions& options) {
+  SurveyCacheOptions cache;
+  if (options.no_cache) return cache;
+  cache.folder = !options.cache.empty() ? options.cache : platform::cache_folder();
+  cache.program = platform::program_stamp();
+  if (cache.program.empty()) cache.folder.clear();
+  return cache;
+}
+
 /// Everything that a run needs, step by step; each step gives the exit code that ends the run, or done.
 class EvaluateRun {
 public:
   EvaluateRun(const EvaluateOptions& options, Session& session)
-      : options_(options), session_(session), setup_(options.method, session) {}
+      : options_(options), session_(session), setup_(options.method, session), reader_(cache_of(options), session.common.threads) {}
 
   ExitCode run() {
     for (const auto step : {&EvaluateRun::check, &EvaluateRun::read_and_describe}) {
@@ -35,7 +47,7 @@ public:
     const int threads = session_.common.threads;
     const treeloc::Evaluation evaluation =
         inter() ? evaluate_inter(std::move(queries_), std::move(map_), setup_.regions(), settings_, setup_.protocol(), threads, progress)
-                : evaluate_intra(std::move(queries_), settings_, setup_.protocol(), threads, progress);
+                : evaluate_intra(std::move(map_), settings_, setup_.protocol(), threads, progress);
     return write(evaluation);
   }
 
@@ -51,25 +63,43 @@ private:
   }
 
   ExitCode read_and_describe() {
-    if (inter()) {
-      if (const ExitCode code = read_scenes(options_.map_folder, true); code != ExitCode::done) return code;
-    }
-    return read_scenes(options_.query_folder, !inter());
+    settings_ = setup_.settings();
+    if (!inter()) return read_survey(options_.query_folder, true);
+    const ExitCode code = setup_.is_global() ? read_global_map() : read_survey(options_.map_folder, true);
+    return code == ExitCode::done ? read_survey(options_.query_folder, false) : code;
   }
 
-  ExitCode read_scenes(const std::string& folder, bool is_map) {
+  ExitCode read_survey(const std::string& folder, bool is_map) {
     session_.progress().at(is_map ? 0.0 : 0.15, "Reading " + folder);
+    const bool with_triangles = is_map && settings_.method == treeloc::Method::stemwise;
+    auto survey = reader_.read(folder, settings_, with_triangles);
+    session_.console.issues(survey.issues);
+    if (!survey) return ExitCode::unusable_input;
+    about_.read_s += survey->read_s;
+    about_.describe_s += survey->describe_s;
+    about_.index_s += survey->index_s;
+    about_.cache_write_s += survey->keep_s;
+    if (is_map) about_.map = survey->name, about_.map_from_cache = survey->scenes_from_cache && survey->triangles_from_cache;
+    about_.query = survey->name;
+    about_.query_from_cache = survey->scenes_from_cache;
+    if (is_map) {
+      map_ = std::move(survey->described);
+    } else {
+      queries_ = std::move(survey->described.scenes);
+    }
+    return ExitCode::done;
+  }
+
+  ExitCode read_global_map() {
+    session_.progress().at(0.0, "Reading " + options_.map_folder);
     const auto start = Clock::now();
-    const auto inventory = setup_.read(folder);
+    const auto inventory = setup_.read(options_.map_folder);
     about_.read_s += seconds_since(start);
     if (!inventory) return ExitCode::unusable_input;
-    if (is_map) settings_ = setup_.settings();
     const auto described = Clock::now();
-    auto& scenes = inter() && is_map ? map_ : queries_;
-    scenes = inter() && is_map ? setup_.map_scenes(*inventory->frames, settings_) : setup_.query_scenes(*inventory->frames, settings_);
+    map_ = setup_.map_scenes(*inventory->frames, settings_);
     about_.describe_s += seconds_since(described);
-    if (is_map) about_.map = inventory->name;
-    about_.query = inventory->name;
+    about_.map = inventory->name;
     return ExitCode::done;
   }
 
@@ -79,6 +109,7 @@ private:
     about_.map_mode = options_.method.map_mode;
     about_.threads = session_.common.threads > 0 ? session_.common.threads : hardware_threads();
     about_.describe_s += evaluation.timing.index_s;
+    about_.index_s += evaluation.timing.index_s;
     about_.peak_rss_mb = peak_rss_mb();
     session_.console.end_progress();
     if (!session_.common.quiet && session_.common.json != "-") std::cout << evaluation_text(evaluation, about_) << std::flush;
@@ -99,8 +130,10 @@ private:
   const EvaluateOptions& options_;
   Session& session_;
   EvaluateSetup setup_;
+  SurveyReader reader_;
   treeloc::Settings settings_;
-  std::vector<treeloc::Scene> queries_, map_;
+  std::vector<treeloc::Scene> queries_;
+  treeloc::DescribedScenes map_{{}};
   EvaluationAbout about_;
 };
 

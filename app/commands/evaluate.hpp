@@ -13,6 +13,8 @@ struct EvaluateOptions {
   std::string map_folder;  ///< empty: intra, the folder against itself
   std::string csv;         ///< a row per query; empty: none
   std::string plots;       ///< folder for charts as PNG and SVG; empty: none
+  std::string cache;       ///< folder where descriptors are kept between runs; empty: the person's cache folder
+  bool no_cache = false;
 };
 /// `stemwise evaluate intra DIR` and `evaluate inter QUERY_DIR MAP_DIR`: the paper's metrics (method.md, section 10).
 ExitCode run_evaluate(const EvaluateOptions& options, Session& session);

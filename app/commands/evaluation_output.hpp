@@ -15,6 +15,9 @@ struct EvaluationAbout {
   int threads = 1;
   double read_s = 0.0;
   double describe_s = 0.0;  ///< preparing all scenes and making the database's descriptors
+  double index_s = 0.0;     ///< of it: making the database's descriptors
+  double cache_write_s = 0.0;
+  bool query_from_cache = false, map_from_cache = false;
   double peak_rss_mb = 0.0;
 };
 

@@ -1,5 +1,6 @@
 #include <pwd.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -29,6 +30,18 @@ std::string home_folder() {
 std::string config_folder() {
   const std::string base = environment("XDG_CONFIG_HOME");
   return (base.empty() ? home_folder() + "/.config" : base) + "/stemwise";
+}
+
+std::string cache_folder() {
+  if (const std::string base = environment("XDG_CACHE_HOME"); !base.empty()) return base + "/stemwise";
+  const std::string home = home_folder();
+  return home.empty() ? "" : home + "/.cache/stemwise";
+}
+
+std::string program_stamp() {
+  struct stat about {};
+  if (stat("/proc/self/exe", &about) != 0) return "";
+  return std::to_string(about.st_size) + " " + std::to_string(about.st_mtim.tv_sec) + "." + std::to_string(about.st_mtim.tv_nsec) + " " + std::to_string(about.st_ino);
 }
 
 std::string user_name() {

@@ -5,19 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "core/base/field.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// How the dominant stem axis is found (method.md, section 3).
-struct AlignAxesSettings {
-  bool enabled = true;
-  int min_clusters = 1;
-  int min_trees = 3;
-  double robust_scale_deg = 4.0;
-  int refinements = 5;
-  Fields fields(const std::string& prefix);
-};
 
 /// The rotation that takes the dominant one of `axes` (unit vectors, sign-free) to +z without any turn about it (eq. 1).
 /// Nothing when there are fewer than `min_trees`. Closed form by the scatter matrix, then reweighted (Cauchy kernel).

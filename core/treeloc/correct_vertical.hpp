@@ -5,18 +5,9 @@
 
 #include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// Joint vertical correction (method.md, section 7.4): z' ~ z - psi x + phi y.
-struct CorrectVerticalSettings {
-  bool joint = true;
-  double inlier_m = 0.1;
-  int sample = 4;
-  int trials = 100;
-  int least_inliers = 3;
-  Fields fields(const std::string& prefix);
-};
 
 /// The motion [R(phi, psi), (0, 0, dz)] that brings the base heights of the pairs together after `candidate_from_query`
 /// (eq. 12-14). By RANSAC, then least squares on the inliers; with too few of them, or not `joint`, the mean height

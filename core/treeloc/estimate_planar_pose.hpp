@@ -5,16 +5,9 @@
 
 #include "core/treeloc/planar_pose.hpp"
 #include "core/treeloc/reject_outliers.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// SE(2) from inlier triangles (method.md, section 7.1).
-struct EstimatePlanarPoseSettings {
-  bool irls = true;
-  double huber_m = 0.4;
-  int iterations = 10;
-  Fields fields(const std::string& prefix);
-};
 
 /// Least squares on the triangles' centroids (eq. 8), then reweighted least squares with a Huber kernel over the matched
 /// vertices (eq. 9). Fewer than three triangles: over the vertices at once.

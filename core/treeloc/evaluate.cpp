@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/treeloc/align_truths.hpp"
+#include "core/treeloc/pose_covariance.hpp"
 
 namespace stemwise::treeloc {
 namespace {
@@ -116,7 +117,7 @@ void count_accepted(Evaluation& e, std::span<const QueryRow> rows) {
   }
 }
 
-double timed_add(Localizer& localizer, std::vector<Scene> scenes, int threads) {
+double timed_add(Localizer& localizer, DescribedScenes scenes, int threads) {
   const auto start = std::chrono::steady_clock::now();
   localizer.add(std::move(scenes), threads);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -204,15 +205,16 @@ RetrievalMetrics retrieval_metrics(std::span<const QueryRow> rows, int threshold
   return m;
 }
 
-Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads,
+Evaluation evaluate_intra(DescribedScenes described, const Settings& settings, const EvaluateSettings& protocol, int threads,
                           const Progress& progress) {
   Selection selection;
+  const std::vector<Scene>& scenes = described.scenes;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto excluded = static_cast<std::size_t>(protocol.excluded_preceding);
     select(selection, scenes[i], scenes, static_cast<std::uint32_t>(i > excluded ? i - excluded : 0), protocol);
   }
   const auto localizer = make_localizer(settings);
-  const double index_s = timed_add(*localizer, std::move(scenes), threads);
+  const double index_s = timed_add(*localizer, std::move(described), threads);
   Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;
   count_accepted(e, e.rows);
@@ -220,14 +222,14 @@ Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, c
   return e;
 }
 
-Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon> regions,
+Evaluation evaluate_inter(std::vector<Scene> queries, DescribedScenes map, std::span<const Polygon> regions,
                           const Settings& settings, const EvaluateSettings& protocol, int threads, const Progress& progress) {
   Selection selection;
   for (const Scene& query : queries) {
     const Eigen::Vector2d at = query.survey_from_scene.translation_m.head<2>();
     const bool counts =
         regions.empty() || std::any_of(regions.begin(), regions.end(), [&](const Polygon& r) { return contains(r, at); });
-    if (counts) select(selection, query, map, QueryWorker::all_scenes, protocol);
+    if (counts) select(selection, query, map.scenes, QueryWorker::all_scenes, protocol);
   }
   queries.clear();
   queries.shrink_to_fit();

@@ -100,10 +100,10 @@ struct Evaluation {
 };
 
 /// Query and database are the frames of one survey in driving order.
-Evaluation evaluate_intra(std::vector<Scene> scenes, const Settings& settings, const EvaluateSettings& protocol, int threads,
+Evaluation evaluate_intra(DescribedScenes scenes, const Settings& settings, const EvaluateSettings& protocol, int threads,
                           const Progress& progress);
 /// Only query frames inside one of `regions` count (all when there are none).
-Evaluation evaluate_inter(std::vector<Scene> queries, std::vector<Scene> map, std::span<const Polygon> regions,
+Evaluation evaluate_inter(std::vector<Scene> queries, DescribedScenes map, std::span<const Polygon> regions,
                           const Settings& settings, const EvaluateSettings& protocol, int threads, const Progress& progress);
 
 /// Of rows whose `error` and `mahalanobis_sq` are against the truth that counts.

@@ -3,19 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.hpp"
 #include "core/geometry/rigid_transform.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// Putting the poses together that several verified scenes give (method.md, section 12).
-struct FusePosesSettings {
-  bool enabled = true;
-  int most = 20;
-  double position_scale_m = 0.15;
-  double rotation_scale_deg = 1.0;
-  Fields fields(const std::string& prefix);
-};
 
 struct WeightedPose {
   RigidTransform survey_from_query;

@@ -44,6 +44,16 @@ public:
   virtual Localization localize(const Scene& query, std::uint32_t scene_limit) = 0;
 };
 
+struct IndexSegment;
+
+/// Scenes for a database, and what describing them gave where that was done already (the default method's triangles).
+struct DescribedScenes {
+  DescribedScenes(std::vector<Scene> of) : scenes(std::move(of)) {}
+  DescribedScenes(std::vector<Scene> of, std::shared_ptr<IndexSegment> index) : scenes(std::move(of)), triangles(std::move(index)) {}
+  std::vector<Scene> scenes;
+  std::shared_ptr<IndexSegment> triangles;  ///< by `index_scenes` with the method's settings; taken out by who adds it
+};
+
 /// A database of scenes of one survey, and a method to find where a query lies in it.
 class Localizer {
 public:
@@ -51,8 +61,8 @@ public:
   Localizer(const Localizer&) = delete;
   Localizer& operator=(const Localizer&) = delete;
   virtual ~Localizer() = default;
-  /// Describes scenes and adds them behind those already there.
-  virtual void add(std::vector<Scene> scenes, int threads) = 0;
+  /// Describes scenes, where they are not, and adds them behind those already there.
+  virtual void add(DescribedScenes described, int threads) = 0;
   virtual const std::vector<Scene>& scenes() const = 0;
   /// Lives no longer than the localizer; adding scenes ends its use.
   virtual std::unique_ptr<QueryWorker> worker() const = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/treeloc/prepare_scene.hpp"
+
 namespace stemwise::treeloc {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "core/forest/frame_set.hpp"
 #include "core/jobs/progress.hpp"
 #include "core/treeloc/localizer.hpp"
+#include "core/treeloc/verify_scenes.hpp"
 
 namespace stemwise::treeloc {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.hpp"
 #include "core/treeloc/planar_pose.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
 
@@ -38,15 +38,6 @@ private:
   std::vector<std::size_t> first_{0};
   std::vector<std::uint8_t> strip_start_;  ///< `strips` per scene
   std::vector<float> strips_per_m_;        ///< per scene
-};
-
-/// Pairing of the trees of two scenes, coarse to fine (method.md, sections 7.2 and 12).
-struct MatchTreesSettings {
-  double coarse_m = 1.0;
-  double fine_m = 0.4;
-  int steps = 3;
-  double tau_dbh_m = 0.2;
-  Fields fields(const std::string& prefix);
 };
 
 struct TreePair {

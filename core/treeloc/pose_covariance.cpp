@@ -7,6 +7,10 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
+#include "core/treeloc/fuse_poses.hpp"
+#include "core/treeloc/match_trees.hpp"
+#include "core/treeloc/refine_pose.hpp"
+
 namespace stemwise::treeloc {
 namespace {
 

@@ -4,29 +4,19 @@
 
 #include <Eigen/Core>
 
-#include "core/base/field.hpp"
-#include "core/treeloc/fuse_poses.hpp"
-#include "core/treeloc/match_trees.hpp"
-#include "core/treeloc/refine_pose.hpp"
-#include "core/treeloc/scene.hpp"
+#include "core/geometry/rigid_transform.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
+
+struct Scene;
+struct TreePair;
+struct WeightedPose;
 
 /// Covariance of the error of `candidate_from_query`, both parts along the axes of the candidate scene's own frame:
 /// rows 0 to 2 the error of the query's origin (m), rows 3 to 5 the small rotation vector d (rad) with
 /// R_true = Exp(d) R_estimate.
 using PoseCovariance = Eigen::Matrix<double, 6, 6>;
-
-/// What residuals cannot show (method.md, section 12).
-struct CovarianceSettings {
-  double position_floor_m = 0.025;
-  double tilt_floor_deg = 0.22;
-  double yaw_floor_deg = 0.08;
-  double shared_share = 0.5;
-  double scenes_per_independent = 4.0;
-  double inflation = 1.0;
-  Fields fields(const std::string& prefix);
-};
 
 /// From the residuals of paired trees in x, y, base height and axis, each kind with its own scale, and the priors of
 /// `refine_pose`. One scene alone: before the poses of several are put together.

@@ -2,25 +2,13 @@
 #include <span>
 #include <vector>
 
-#include "core/base/field.hpp"
 #include "core/forest/frame_set.hpp"
 #include "core/treeloc/align_axes.hpp"
 #include "core/treeloc/scene.hpp"
 #include "core/treeloc/sensor_height.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// Which trees make a scene (method.md, section 2).
-struct PrepareSettings {
-  double local_radius_m = 30.0;
-  int min_reconstructed = 0;
-  int preceding_frames = 5;
-  double search_radius_m = 10.0;
-  double dedup_radius_m = 0.1;
-  int target_tree_count = 30;
-  SensorHeightSettings sensor;
-  Fields fields(const std::string& prefix);
-};
 
 /// The scene of frame `index`: its own trees, filled up from preceding frames and with candidate stems where there are
 /// few, turned so that the dominant stem axis is +z (eq. 1-2).

@@ -4,6 +4,14 @@
 #include <chrono>
 
 #include "core/base/parallel.hpp"
+#include "core/treeloc/correct_vertical.hpp"
+#include "core/treeloc/estimate_planar_pose.hpp"
+#include "core/treeloc/estimate_roll_pitch.hpp"
+#include "core/treeloc/match_trees.hpp"
+#include "core/treeloc/overlap_score.hpp"
+#include "core/treeloc/pose_covariance.hpp"
+#include "core/treeloc/reject_outliers.hpp"
+#include "core/treeloc/retrieve_scenes.hpp"
 
 namespace stemwise::treeloc {
 namespace {
@@ -114,7 +122,8 @@ private:
 class PublishedLocalizer final : public Localizer {
 public:
   explicit PublishedLocalizer(const Settings& settings) : db_{settings, {}, {}, {}} {}
-  void add(std::vector<Scene> scenes, int threads) override {
+  void add(DescribedScenes described, int threads) override {
+    std::vector<Scene>& scenes = described.scenes;
     constexpr std::size_t per_block = 64;
     const std::size_t first = db_.descriptors.size();
     db_.descriptors.resize(first + scenes.size());

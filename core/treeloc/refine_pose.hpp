@@ -1,25 +1,11 @@
 #pragma once
 #include <span>
 
-#include "core/base/field.hpp"
 #include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// The pose of a verified candidate in all six degrees of freedom (method.md, section 12, "Poses").
-struct RefinePoseSettings {
-  double planar_scale_m = 0.12;
-  double height_scale_m = 0.25;
-  double axis_scale_deg = 0.7;
-  double tilt_prior_deg = 1.0;
-  bool height_prior = true;
-  double height_prior_m = 0.08;
-  double height_prior_per_m = 0.04;
-  double height_bias_m = 0.3;
-  int iterations = 6;
-  Fields fields(const std::string& prefix);
-};
 
 struct RefinedPose {
   PlanarPose planar;                    ///< in the aligned frames

@@ -3,21 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/step_settings.hpp"
 #include "core/treeloc/triangles.hpp"
 
 namespace stemwise::treeloc {
-
-/// Which triangle matches count (method.md, section 6).
-struct RejectOutliersSettings {
-  bool dbh_filter = true;
-  double tau_dbh_m = 0.2;
-  bool yaw_voting = true;
-  double yaw_bin_deg = 5.0;
-  double tau_yaw_deg = 10.0;
-  Fields fields(const std::string& prefix);
-};
 
 /// A triangle of the query and one of the candidate, by place in their lists.
 struct TriangleMatch {

@@ -5,19 +5,11 @@
 #include <vector>
 
 #include "core/treeloc/pairwise_distance_histogram.hpp"
+#include "core/treeloc/step_settings.hpp"
 #include "core/treeloc/tree_distribution_histogram.hpp"
 #include "core/treeloc/triangles.hpp"
 
 namespace stemwise::treeloc {
-
-/// The published coarse-to-fine retrieval (method.md, section 5).
-struct RetrieveSettings {
-  bool histograms = true;
-  int kept_by_histograms = 100;
-  int verified = 10;
-  bool multiset = true;
-  Fields fields(const std::string& prefix);
-};
 
 /// What the published method stores of a scene.
 struct PublishedDescriptor {

@@ -3,19 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/field.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
-
-/// When a survey counts as carried at a constant height above the ground (method.md, section 12): only then may a pose be
-/// told that two frames at one spot have the same height.
-struct SensorHeightSettings {
-  double highest_m = 4.0;
-  double most_spread_m = 0.75;
-  int least_frames = 10;
-  Fields fields(const std::string& prefix);
-};
 
 /// How high above the stem bases around it the sensor stood, along a survey.
 struct SensorHeight {

@@ -1,5 +1,7 @@
 #include "core/treeloc/settings.hpp"
 
+#include "core/treeloc/verify_scenes.hpp"
+
 namespace stemwise::treeloc {
 namespace {
 

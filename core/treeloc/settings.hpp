@@ -3,22 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/field.hpp"
-#include "core/treeloc/align_axes.hpp"
-#include "core/treeloc/correct_vertical.hpp"
-#include "core/treeloc/estimate_planar_pose.hpp"
-#include "core/treeloc/estimate_roll_pitch.hpp"
-#include "core/treeloc/fuse_poses.hpp"
-#include "core/treeloc/match_trees.hpp"
-#include "core/treeloc/overlap_score.hpp"
-#include "core/treeloc/pose_covariance.hpp"
-#include "core/treeloc/prepare_scene.hpp"
-#include "core/treeloc/refine_pose.hpp"
-#include "core/treeloc/reject_outliers.hpp"
-#include "core/treeloc/retrieve_scenes.hpp"
-#include "core/treeloc/triangles.hpp"
-#include "core/treeloc/verify_scenes.hpp"
-#include "core/treeloc/vote_scenes.hpp"
+#include "core/treeloc/step_settings.hpp"
 
 namespace stemwise::treeloc {
 

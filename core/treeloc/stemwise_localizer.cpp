@@ -5,6 +5,12 @@
 #include <tuple>
 
 #include "core/treeloc/chance_evidence.hpp"
+#include "core/treeloc/fuse_poses.hpp"
+#include "core/treeloc/match_trees.hpp"
+#include "core/treeloc/pose_covariance.hpp"
+#include "core/treeloc/refine_pose.hpp"
+#include "core/treeloc/verify_scenes.hpp"
+#include "core/treeloc/vote_scenes.hpp"
 
 namespace stemwise::treeloc {
 namespace {
@@ -208,9 +214,13 @@ private:
 class StemwiseLocalizer final : public Localizer {
 public:
   explicit StemwiseLocalizer(const Settings& settings) : db_(settings) {}
-  void add(std::vector<Scene> scenes, int threads) override {
-    db_.index.add(scenes, threads);
-    for (Scene& scene : scenes) {
+  void add(DescribedScenes described, int threads) override {
+    if (described.triangles) {
+      db_.index.add(std::move(*described.triangles));
+    } else {
+      db_.index.add(described.scenes, threads);
+    }
+    for (Scene& scene : described.scenes) {
       db_.trees.add(scene);
       db_.scenes.push_back(std::move(scene));
     }

@@ -2,109 +2,145 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "core/base/parallel.hpp"
 
 namespace stemwise::treeloc {
 namespace {
 
-constexpr std::size_t scenes_per_block = 64;
-constexpr std::uint32_t parts = 256;  // of the keys: what one of them fills stays in a core's cache
+// The triangles of a block and the keys of a part each stay in a core's cache while they are sorted.
+constexpr std::uint32_t scenes_per_block = 16;
+constexpr std::size_t blocks_per_task = 8;
+constexpr std::uint32_t most_parts = 256;
 
-struct Entry {
-  std::uint32_t key;
-  TriangleOrigin origin;
-  Posting posting;
+/// How keys are split into parts: by their upper bits, for a division per triangle would cost as much as the rest.
+struct KeyParts {
+  explicit KeyParts(std::uint32_t keys) : key_count(keys) {
+    while ((key_count >> shift) >= most_parts) ++shift;
+    count = (key_count >> shift) + 1;
+  }
+  std::uint32_t first_key(std::uint32_t part) const { return std::min(key_count, part << shift); }
+  std::uint32_t key_count, shift = 0, count = 0;
 };
+
+/// A triangle within its block and part.
+struct Entry {
+  std::uint32_t key_and_scene;  ///< key within the part times scenes_per_block, plus the scene within the block
+  TriangleOrigin origin;
+  std::uint8_t yaw;
+  std::uint8_t dbh_cm[3];
+};
+constexpr std::uint32_t key_of(const Entry& e) { return e.key_and_scene / scenes_per_block; }
+constexpr std::uint32_t scene_of(const Entry& e) { return e.key_and_scene % scenes_per_block; }
 
 /// The triangles of a run of scenes, part by part; within a part in order of scene.
 struct Block {
-  std::vector<Entry> entries;
-  std::array<std::uint32_t, parts + 1> start{};
+  FlatArray<Entry> entries;
+  std::array<std::uint32_t, most_parts + 1> start{};
 };
 
-std::uint32_t keys_per_part(std::uint32_t key_count) { return key_count / parts + 1; }
+/// A triangle with the scene of its block, before it is sorted.
+struct Made {
+  std::uint32_t key, scene;
+  TriangleOrigin origin;
+  std::uint8_t yaw;
+  std::uint8_t dbh_cm[3];
+};
 
-Block sort_by_part(const std::vector<Entry>& made, std::uint32_t per_part) {
+Block sort_by_part(const std::vector<Made>& made, const KeyParts& parts) {
   Block block;
-  for (const Entry& e : made) ++block.start[e.key / per_part + 1];
-  for (std::size_t p = 0; p < parts; ++p) block.start[p + 1] += block.start[p];
-  block.entries.resize(made.size());
+  for (const Made& m : made) ++block.start[(m.key >> parts.shift) + 1];
+  for (std::size_t p = 0; p < most_parts; ++p) block.start[p + 1] += block.start[p];
+  block.entries = FlatArray<Entry>(made.size());
   auto next = block.start;
-  for (const Entry& e : made) block.entries[next[e.key / per_part]++] = e;
+  const std::uint32_t within_part = (std::uint32_t{1} << parts.shift) - 1;
+  for (const Made& m : made)
+    block.entries[next[m.key >> parts.shift]++] = {
+        (m.key & within_part) * scenes_per_block + m.scene, m.origin, m.yaw, {m.dbh_cm[0], m.dbh_cm[1], m.dbh_cm[2]}};
   return block;
 }
 
-std::vector<Block> describe_blocks(std::span<const Scene> scenes, std::uint32_t first_number, const TriangleSettings& settings,
-                                   std::uint32_t per_part, int threads) {
+std::vector<Block> describe_blocks(std::span<const Scene> scenes, const TriangleSettings& settings, const KeyParts& parts,
+                                   int threads) {
   std::vector<Block> blocks((scenes.size() + scenes_per_block - 1) / scenes_per_block);
-  parallel_for(blocks.size(), threads, [&](std::size_t b) {
+  parallel_for((blocks.size() + blocks_per_task - 1) / blocks_per_task, threads, [&](std::size_t task) {
     TriangleMaker maker(settings);
-    std::vector<Entry> made;
-    const std::size_t first = b * scenes_per_block;
-    const std::size_t last = std::min(first + scenes_per_block, scenes.size());
-    for (std::size_t s = first; s < last; ++s) {
-      const auto scene = first_number + static_cast<std::uint32_t>(s);
-      for (const Triangle& t : maker.make(scenes[s]))
-        made.push_back({t.key, t.origin, {scene, t.yaw, {t.dbh_cm[0], t.dbh_cm[1], t.dbh_cm[2]}}});
+    std::vector<Made> made;
+    const std::size_t end = std::min((task + 1) * blocks_per_task, blocks.size());
+    for (std::size_t b = task * blocks_per_task; b < end; ++b) {
+      made.clear();
+      const auto of_block = scenes.subspan(b * scenes_per_block, std::min<std::size_t>(scenes_per_block, scenes.size() - b * scenes_per_block));
+      for (std::uint32_t s = 0; s < of_block.size(); ++s) {
+        for (const Triangle& t : maker.make(of_block[s]))
+          made.push_back({t.key, s, t.origin, t.yaw, {t.dbh_cm[0], t.dbh_cm[1], t.dbh_cm[2]}});
+      }
+      blocks[b] = sort_by_part(made, parts);
     }
-    blocks[b] = sort_by_part(made, per_part);
   });
   return blocks;
 }
 
-/// Fills one part of the keys; `place` is where its postings begin.
-template <class Segment>
-void fill_part(Segment& segment, std::span<const std::span<const Entry>> runs, std::uint32_t first_key, std::uint32_t end_key,
+std::span<const Entry> run_of(const Block& block, std::uint32_t part) {
+  return {block.entries.data() + block.start[part], block.start[part + 1] - block.start[part]};
+}
+
+/// Fills one part of the keys; `place` is where its triangles begin.
+void fill_part(IndexSegment& segment, std::span<const Block> blocks, const KeyParts& parts, std::uint32_t part,
                std::uint32_t place) {
+  const std::uint32_t first_key = parts.first_key(part), end_key = parts.first_key(part + 1);
   std::vector<std::uint32_t> next(end_key - first_key, 0);
-  for (const auto& run : runs) {
-    for (const Entry& e : run) ++next[e.key - first_key];
+  for (const Block& block : blocks) {
+    for (const Entry& e : run_of(block, part)) ++next[key_of(e)];
   }
   for (std::uint32_t key = first_key; key < end_key; ++key) {
     const std::uint32_t count = next[key - first_key];
     segment.start[key] = next[key - first_key] = place;
     place += count;
   }
-  for (const auto& run : runs) {
-    for (const Entry& e : run) {
-      const std::uint32_t at = next[e.key - first_key]++;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto first_scene = static_cast<std::uint32_t>(b) * scenes_per_block;
+    for (const Entry& e : run_of(blocks[b], part)) {
+      const std::uint32_t at = next[key_of(e)]++;
       segment.origins[at] = e.origin;
-      segment.postings[at] = e.posting;
+      segment.postings[at] = {first_scene + scene_of(e), e.yaw, {e.dbh_cm[0], e.dbh_cm[1], e.dbh_cm[2]}};
     }
   }
 }
 
 }  // namespace
 
-void TriangleIndex::add(std::span<const Scene> scenes, int threads) {
-  const std::uint32_t per_part = keys_per_part(key_count_);
-  const auto blocks = describe_blocks(scenes, scene_count_, settings_, per_part, threads);
-  std::array<std::uint32_t, parts + 1> place{};
-  for (std::size_t p = 0; p < parts; ++p) {
+IndexSegment index_scenes(std::span<const Scene> scenes, const TriangleSettings& settings, int threads) {
+  const KeyParts parts(TriangleKeys(settings).count());
+  const auto blocks = describe_blocks(scenes, settings, parts, threads);
+  std::array<std::uint32_t, most_parts + 1> place{};
+  for (std::uint32_t p = 0; p < parts.count; ++p) {
     place[p + 1] = place[p];
     for (const Block& block : blocks) place[p + 1] += block.start[p + 1] - block.start[p];
   }
-  Segment segment;
-  segment.start.resize(static_cast<std::size_t>(key_count_) + 1);
-  segment.start.back() = place.back();
-  segment.origins.resize(place.back() + near_origins_lanes);
-  segment.postings.resize(place.back());
-  parallel_for(parts, threads, [&](std::size_t p) {
-    const auto first_key = std::min(key_count_, static_cast<std::uint32_t>(p) * per_part);
-    std::vector<std::span<const Entry>> runs;
-    for (const Block& block : blocks)
-      runs.emplace_back(block.entries.data() + block.start[p], block.start[p + 1] - block.start[p]);
-    fill_part(segment, std::span<const std::span<const Entry>>(runs), first_key, std::min(key_count_, first_key + per_part),
-              place[p]);
+  const std::uint32_t triangles = place[parts.count];
+  IndexSegment segment{static_cast<std::uint32_t>(scenes.size()), FlatArray<std::uint32_t>(std::size_t{parts.key_count} + 1),
+                       FlatArray<TriangleOrigin>(std::size_t{triangles} + near_origins_lanes), FlatArray<Posting>(triangles)};
+  segment.start[parts.key_count] = triangles;
+  std::fill_n(segment.origins.data() + triangles, near_origins_lanes, TriangleOrigin{});
+  parallel_for(parts.count, threads, [&](std::size_t p) {
+    fill_part(segment, blocks, parts, static_cast<std::uint32_t>(p), place[p]);
   });
-  scene_count_ += static_cast<std::uint32_t>(scenes.size());
+  return segment;
+}
+
+void TriangleIndex::add(IndexSegment segment) {
+  if (segment.start.size() != std::size_t{key_count_} + 1) throw std::invalid_argument("an index of other triangle settings");
+  if (scene_count_ > 0) {
+    for (Posting& posting : segment.postings.span()) posting.scene += scene_count_;
+  }
+  scene_count_ += segment.scene_count;
   segments_.push_back(std::move(segment));
 }
 
 std::size_t TriangleIndex::triangle_count() const {
   std::size_t count = 0;
-  for (const Segment& s : segments_) count += s.postings.size();
+  for (const IndexSegment& s : segments_) count += s.postings.size();
   return count;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace stemwise::treeloc {
 namespace {
@@ -18,6 +20,47 @@ bool contains(const TreeSet& set, std::size_t tree) { return (set[tree / 64] >> 
 std::uint64_t below(std::size_t tree, std::size_t word) {
   if (tree >= (word + 1) * 64) return ~std::uint64_t{0};
   return tree <= word * 64 ? 0 : (std::uint64_t{1} << (tree % 64)) - 1;
+}
+
+/// How many are at most `radius`; four at a time.
+std::int32_t count_within(std::span<const float> distances, float radius) {
+  std::int32_t count = 0;
+  for (const float d : distances) count += d <= radius ? 1 : 0;
+  return count;
+}
+
+/// A radius with `wanted` trees inside, or the distance of the `wanted`-th where several are exactly as far. Distances are
+/// halved between by their bits, which are in order as whole numbers; but the first steps go where the counts point to from a
+/// guess, and the radius of the tree before is nearly always a good one: counting a few times is quicker than sorting.
+float radius_of_nearest(std::span<const float> distances, std::size_t wanted, float guess) {
+  constexpr int pointed_steps = 8;
+  const auto enough = static_cast<std::int32_t>(wanted);
+  std::int32_t too_few = -1, high = std::bit_cast<std::int32_t>(std::numeric_limits<float>::max());
+  float radius = guess;
+  for (int step = 0; high - too_few > 1; ++step) {
+    const std::int32_t count = count_within(distances, radius);
+    if (count == enough) return radius;
+    (count < enough ? too_few : high) = std::bit_cast<std::int32_t>(radius);
+    // The number inside grows with the square of the radius.
+    const float pointed = radius * std::sqrt((static_cast<float>(enough) + 0.5F) / (static_cast<float>(count) + 0.5F));
+    const auto bits = std::bit_cast<std::int32_t>(pointed);
+    const bool follow = step < pointed_steps && bits > too_few && bits < high;
+    radius = follow ? pointed : std::bit_cast<float>(too_few + (high - too_few) / 2);
+  }
+  return std::bit_cast<float>(high);
+}
+
+/// The `wanted` nearest: all inside `radius` where they are as many; more are only where several are exactly as far, and then
+/// those with the lower numbers count.
+void take_nearest(std::span<const float> distances, std::size_t wanted, float radius, TreeSet& set) {
+  for (std::size_t j = 0; j < distances.size(); ++j) set[j / 64] |= std::uint64_t{distances[j] <= radius} << (j % 64);
+  std::size_t count = 0;
+  for (const std::uint64_t word : set) count += static_cast<std::size_t>(std::popcount(word));
+  for (std::size_t j = distances.size(); j-- > 0 && count > wanted;) {
+    if (distances[j] != radius) continue;
+    set[j / 64] &= ~(std::uint64_t{1} << (j % 64));
+    --count;
+  }
 }
 
 template <class Take>
@@ -81,26 +124,21 @@ void TriangleMaker::measure_distances() {
       const float dx = x - x_[j], dy = y - y_[j];
       row[j] = std::sqrt(dx * dx + dy * dy);
     }
+    row[i] = std::numeric_limits<float>::infinity();  // no tree is its own neighbour
   }
 }
 
 void TriangleMaker::find_neighbours() {
   const std::size_t n = tree_count_;
-  const auto wanted = static_cast<std::ptrdiff_t>(
-      std::min<std::size_t>(static_cast<std::size_t>(std::max(0, settings_.neighbours)), n > 0 ? n - 1 : 0));
+  const auto wanted = std::min<std::size_t>(static_cast<std::size_t>(std::max(0, settings_.neighbours)), n > 0 ? n - 1 : 0);
   neighbours_.assign(n, {});
   neighbour_of_.assign(n, {});
-  nearest_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    // A distance's bits, in order as whole numbers, before the tree's number: one word to compare, equals by number.
-    for (std::size_t j = 0; j < n; ++j) nearest_[j] = std::uint64_t{std::bit_cast<std::uint32_t>(distance_[i * n + j])} << 8 | j;
-    nearest_[i] = nearest_[n - 1];
-    std::nth_element(nearest_.begin(), nearest_.begin() + wanted, nearest_.end() - 1);
-    for (std::ptrdiff_t m = 0; m < wanted; ++m) {
-      const auto other = static_cast<std::size_t>(nearest_[static_cast<std::size_t>(m)] & 255U);
-      insert(neighbours_[i], other);
-      insert(neighbour_of_[other], i);
-    }
+  float guess_m = 0.5F * static_cast<float>(settings_.max_side_m);
+  for (std::size_t i = 0; i < n && wanted > 0; ++i) {
+    const std::span<const float> from_i(distance_.data() + i * n, n);
+    guess_m = radius_of_nearest(from_i, wanted, guess_m);
+    take_nearest(from_i, wanted, guess_m, neighbours_[i]);
+    each(neighbours_[i], words_, [&](std::size_t other) { insert(neighbour_of_[other], i); });
   }
 }
 

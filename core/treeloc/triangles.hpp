@@ -3,23 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/field.hpp"
 #include "core/treeloc/near_origins.hpp"
 #include "core/treeloc/scene.hpp"
+#include "core/treeloc/step_settings.hpp"
 #include "core/treeloc/triangle_batch.hpp"
 
 namespace stemwise::treeloc {
-
-/// The triangles of a scene (method.md, section 4): every tree with each pair of its nearest neighbours.
-struct TriangleSettings {
-  int neighbours = 12;
-  double min_side_m = 0.5;
-  double max_side_m = 30.0;
-  double step_m = 0.15;
-  bool area = false;        ///< the published key of eq. 3 with the area
-  bool orientation = true;  ///< the triangle's handedness belongs to the key
-  Fields fields(const std::string& prefix);
-};
 
 /// One triangle. Its vertices are ordered by the side opposite (shortest first), so that matched triangles correspond
 /// vertex to vertex. Its own frame: origin at the centroid, x along its longest side, from vertex 0 to vertex 1.
@@ -78,8 +67,7 @@ private:
   std::size_t words_ = 0;  ///< of a TreeSet that are in use
   std::vector<float> x_, y_;
   std::vector<std::uint8_t> dbh_cm_;
-  std::vector<float> distance_;         ///< tree_count_ squared
-  std::vector<std::uint64_t> nearest_;  ///< buffer of find_neighbours
+  std::vector<float> distance_;         ///< tree_count_ squared; to itself infinite
   std::vector<TreeSet> neighbours_;     ///< per tree: its nearest ones
   std::vector<TreeSet> neighbour_of_;   ///< per tree: those that have it among their nearest ones
   TriangleBatch batch_;

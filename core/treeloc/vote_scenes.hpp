@@ -5,17 +5,10 @@
 #include <vector>
 
 #include "core/treeloc/planar_pose.hpp"
+#include "core/treeloc/step_settings.hpp"
 #include "core/treeloc/triangle_index.hpp"
 
 namespace stemwise::treeloc {
-
-/// How the triangles of a query vote for scenes and yaw angles (method.md, section 12).
-struct VoteSettings {
-  double tau_dbh_m = 0.15;
-  double gate_m = 7.0;
-  int verified = 20;
-  Fields fields(const std::string& prefix);
-};
 
 /// A scene that the vote proposes, with a first pose.
 struct VotedScene {

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
   dup2(err, STDERR_FILENO);
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
+  setenv("XDG_CACHE_HOME", "/dev/null", 1);  // no folder: nothing of a run is left in the home of who tests
   if (!environment.empty()) putenv(const_cast<char*>(environment.c_str()));
   std::vector<char*> argv{const_cast<char*>("stemwise")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
