@@ -1,6 +1,7 @@
 /// One benchmark per stage of localising, one thread, and one for the whole query. CPU time is what counts.
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 
 #include "benchmarks/sequences.hpp"
@@ -13,6 +14,7 @@
 #include "core/treeloc/triangle_index.hpp"
 #include "core/treeloc/vote_scenes.hpp"
 #include "io/read_frame_folder.hpp"
+#include "io/survey_reader.hpp"
 
 namespace stemwise::benchmarks {
 namespace {
@@ -44,6 +46,27 @@ void per_item(benchmark::State& state, std::size_t items) {
 void read(benchmark::State& state, const Bench& bench) {
   for (auto _ : state) benchmark::DoNotOptimize(read_frame_folder(bench.sequences.query_folder, 1));
   per_item(state, bench.sequences.query.frames.size());
+}
+
+/// Files to scenes and triangles, as `evaluate` does it.
+void survey(benchmark::State& state, const Bench& bench) {
+  const SurveyReader reader({}, 1);
+  for (auto _ : state) benchmark::DoNotOptimize(reader.read(bench.sequences.query_folder, bench.settings, true));
+  per_item(state, bench.sequences.query.frames.size());
+}
+
+/// The same from the descriptor cache.
+void cached_survey(benchmark::State& state, const Bench& bench) {
+  const auto folder = std::filesystem::temp_directory_path() / "stemwise_benchmark_cache";
+  const SurveyReader reader({folder.string(), DescriptorCache::usual_most_bytes, "benchmark", {}}, 1);
+  bool is_kept = reader.read(bench.sequences.query_folder, bench.settings, true).value.has_value();
+  for (auto _ : state) {
+    const auto read = reader.read(bench.sequences.query_folder, bench.settings, true);
+    is_kept = is_kept && read->scenes_from_cache && read->triangles_from_cache;
+  }
+  if (!is_kept) state.SkipWithError("nothing came from the cache");
+  per_item(state, bench.sequences.query.frames.size());
+  std::filesystem::remove_all(folder);
 }
 
 void prepare(benchmark::State& state, const Bench& bench) {
@@ -165,7 +188,11 @@ void add_stages() {
       stage(state, *bench);
     })->Unit(benchmark::kMillisecond);
   };
-  if (!bench->sequences.query_folder.empty()) add("read", read);
+  if (!bench->sequences.query_folder.empty()) {
+    add("read", read);
+    add("survey", survey);
+    add("cached_survey", cached_survey);
+  }
   add("prepare", prepare);
   add("describe", describe);
   add("index_build", index_build);

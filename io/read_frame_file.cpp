@@ -159,7 +159,7 @@ const char* read_clean_row(const char* at, const Header& header, Row& row) {
   for (std::size_t field = 0; field < fields; ++field) {
     const std::size_t column = header.column_of_field[field];
     if (column == not_used) {
-      while (*at != header.delimiter && *at != '\n') ++at;
+      at = find_either(at, header.delimiter, '\n');
     } else if (*at != header.delimiter && *at != '\n' && *at != '\r') {
       ScannedDecimal number = scan_decimal(at);
       if (!number.clean && column == reconstructed) number = scan_flag(at);

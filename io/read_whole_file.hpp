@@ -7,7 +7,7 @@
 namespace stemwise {
 
 /// A file's bytes in one allocation that is not cleared first. Behind them lies a line end, so that a parser need not look
-/// for the end of the text at every character.
+/// for the end of the text at every character, and behind that eight bytes more, so that it may look at eight at once.
 struct FileBytes {
   std::unique_ptr<char[]> data;
   std::size_t size = 0;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/wide_vectors.hpp"
+
 namespace stemwise::treeloc {
 namespace {
 
@@ -47,22 +49,12 @@ inline void put_in_order(Vertex& a, Vertex& b) {
 
 }  // namespace
 
-void TriangleBatch::clear(std::size_t most, const Tree& center) {
-  center_ = center;
-  count_ = 0;
-  if (within_.size() >= most) return;
-  for (auto* column : {&b_x_, &b_y_, &c_x_, &c_y_, &opposite_center_, &opposite_b_, &opposite_c_}) column->resize(most);
-  for (auto* column : {&b_number_, &c_number_, &trees_, &steps_[0], &steps_[1], &steps_[2], &area_, &left_handed_, &origin_x_cm_,
-                       &origin_y_cm_, &yaw_, &within_})
-    column->resize(most);
-}
-
-void TriangleBatch::compute(float steps_per_m, float min_side_m, float max_side_m) {
+STEMWISE_WIDE_VECTORS void TriangleBatch::compute(float steps_per_m, float min_side_m, float max_side_m) {
   const Tree center = center_;
   const float *b_x = b_x_.data(), *b_y = b_y_.data(), *c_x = c_x_.data(), *c_y = c_y_.data();
   const float *of_center = opposite_center_.data(), *of_b = opposite_b_.data(), *of_c = opposite_c_.data();
   const std::int32_t *b_number = b_number_.data(), *c_number = c_number_.data();
-  std::int32_t *trees = trees_.data(), *steps_0 = steps_[0].data(), *steps_1 = steps_[1].data(), *steps_2 = steps_[2].data(),
+  std::int32_t *trees = trees_.data(), *steps_0 = steps_0_.data(), *steps_1 = steps_1_.data(), *steps_2 = steps_2_.data(),
                *area = area_.data(), *left_handed = left_handed_.data(), *origin_x = origin_x_cm_.data(),
                *origin_y = origin_y_cm_.data(), *yaw = yaw_.data(), *within = within_.data();
 #pragma GCC ivdep

@@ -48,34 +48,55 @@ struct Made {
   std::uint8_t dbh_cm[3];
 };
 
-Block sort_by_part(const std::vector<Made>& made, const KeyParts& parts) {
-  Block block;
-  for (const Made& m : made) ++block.start[(m.key >> parts.shift) + 1];
-  for (std::size_t p = 0; p < most_parts; ++p) block.start[p + 1] += block.start[p];
-  block.entries = FlatArray<Entry>(made.size());
-  auto next = block.start;
-  const std::uint32_t within_part = (std::uint32_t{1} << parts.shift) - 1;
-  for (const Made& m : made)
-    block.entries[next[m.key >> parts.shift]++] = {
-        (m.key & within_part) * scenes_per_block + m.scene, m.origin, m.yaw, {m.dbh_cm[0], m.dbh_cm[1], m.dbh_cm[2]}};
-  return block;
-}
+/// The triangles of a block of scenes as they are made, counted by part.
+class MadeTriangles {
+public:
+  explicit MadeTriangles(const KeyParts& parts) : parts_(parts) {}
+
+  void clear() {
+    made_.clear();
+    counts_.fill(0);
+  }
+  void add(std::uint32_t scene, std::span<const Triangle> triangles) {
+    const std::size_t first = made_.size();
+    made_.resize(first + triangles.size());
+    Made* out = made_.data() + first;
+    for (const Triangle& t : triangles) {
+      ++counts_[t.key >> parts_.shift];
+      *out++ = {t.key, scene, t.origin, t.yaw, {t.dbh_cm[0], t.dbh_cm[1], t.dbh_cm[2]}};
+    }
+  }
+  Block sorted() const {
+    Block block;
+    for (std::size_t p = 0; p < most_parts; ++p) block.start[p + 1] = block.start[p] + counts_[p];
+    block.entries = FlatArray<Entry>(made_.size());
+    auto next = block.start;
+    Entry* const entries = block.entries.data();
+    const std::uint32_t shift = parts_.shift, within_part = (std::uint32_t{1} << shift) - 1;
+    for (const Made& m : made_)
+      entries[next[m.key >> shift]++] = {
+          (m.key & within_part) * scenes_per_block + m.scene, m.origin, m.yaw, {m.dbh_cm[0], m.dbh_cm[1], m.dbh_cm[2]}};
+    return block;
+  }
+
+private:
+  const KeyParts& parts_;
+  std::vector<Made> made_;
+  std::array<std::uint32_t, most_parts> counts_{};
+};
 
 std::vector<Block> describe_blocks(std::span<const Scene> scenes, const TriangleSettings& settings, const KeyParts& parts,
                                    int threads) {
   std::vector<Block> blocks((scenes.size() + scenes_per_block - 1) / scenes_per_block);
   parallel_for((blocks.size() + blocks_per_task - 1) / blocks_per_task, threads, [&](std::size_t task) {
     TriangleMaker maker(settings);
-    std::vector<Made> made;
+    MadeTriangles made(parts);
     const std::size_t end = std::min((task + 1) * blocks_per_task, blocks.size());
     for (std::size_t b = task * blocks_per_task; b < end; ++b) {
       made.clear();
       const auto of_block = scenes.subspan(b * scenes_per_block, std::min<std::size_t>(scenes_per_block, scenes.size() - b * scenes_per_block));
-      for (std::uint32_t s = 0; s < of_block.size(); ++s) {
-        for (const Triangle& t : maker.make(of_block[s]))
-          made.push_back({t.key, s, t.origin, t.yaw, {t.dbh_cm[0], t.dbh_cm[1], t.dbh_cm[2]}});
-      }
-      blocks[b] = sort_by_part(made, parts);
+      for (std::uint32_t s = 0; s < of_block.size(); ++s) made.add(s, maker.make(of_block[s]));
+      blocks[b] = made.sorted();
     }
   });
   return blocks;

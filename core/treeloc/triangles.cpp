@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "core/base/wide_vectors.hpp"
+
 namespace stemwise::treeloc {
 namespace {
 
@@ -22,24 +24,37 @@ std::uint64_t below(std::size_t tree, std::size_t word) {
   return tree <= word * 64 ? 0 : (std::uint64_t{1} << (tree % 64)) - 1;
 }
 
-/// How many are at most `radius`; four at a time.
-std::int32_t count_within(std::span<const float> distances, float radius) {
+/// How many are at most `radius`.
+STEMWISE_WIDE_VECTORS std::int32_t count_within(const float* distances, std::size_t size, float radius) {
   std::int32_t count = 0;
-  for (const float d : distances) count += d <= radius ? 1 : 0;
+  for (std::size_t i = 0; i < size; ++i) count += distances[i] <= radius ? 1 : 0;
   return count;
 }
+
+STEMWISE_WIDE_VECTORS void measure_from(float x, float y, const float* xs, const float* ys, float* distances, std::size_t size) {
+  for (std::size_t j = 0; j < size; ++j) {
+    const float dx = x - xs[j], dy = y - ys[j];
+    distances[j] = std::sqrt(dx * dx + dy * dy);
+  }
+}
+
+/// A radius, and whether exactly as many trees as wanted lie inside.
+struct Radius {
+  float length;
+  bool exact;
+};
 
 /// A radius with `wanted` trees inside, or the distance of the `wanted`-th where several are exactly as far. Distances are
 /// halved between by their bits, which are in order as whole numbers; but the first steps go where the counts point to from a
 /// guess, and the radius of the tree before is nearly always a good one: counting a few times is quicker than sorting.
-float radius_of_nearest(std::span<const float> distances, std::size_t wanted, float guess) {
+Radius radius_of_nearest(std::span<const float> distances, std::size_t wanted, float guess) {
   constexpr int pointed_steps = 8;
   const auto enough = static_cast<std::int32_t>(wanted);
   std::int32_t too_few = -1, high = std::bit_cast<std::int32_t>(std::numeric_limits<float>::max());
   float radius = guess;
   for (int step = 0; high - too_few > 1; ++step) {
-    const std::int32_t count = count_within(distances, radius);
-    if (count == enough) return radius;
+    const std::int32_t count = count_within(distances.data(), distances.size(), radius);
+    if (count == enough) return {radius, true};
     (count < enough ? too_few : high) = std::bit_cast<std::int32_t>(radius);
     // The number inside grows with the square of the radius.
     const float pointed = radius * std::sqrt((static_cast<float>(enough) + 0.5F) / (static_cast<float>(count) + 0.5F));
@@ -47,20 +62,23 @@ float radius_of_nearest(std::span<const float> distances, std::size_t wanted, fl
     const bool follow = step < pointed_steps && bits > too_few && bits < high;
     radius = follow ? pointed : std::bit_cast<float>(too_few + (high - too_few) / 2);
   }
-  return std::bit_cast<float>(high);
+  return {std::bit_cast<float>(high), false};
 }
 
-/// The `wanted` nearest: all inside `radius` where they are as many; more are only where several are exactly as far, and then
+/// The `wanted` nearest: all inside the radius where they are as many; more are only where several are exactly as far, and then
 /// those with the lower numbers count.
-void take_nearest(std::span<const float> distances, std::size_t wanted, float radius, TreeSet& set) {
-  for (std::size_t j = 0; j < distances.size(); ++j) set[j / 64] |= std::uint64_t{distances[j] <= radius} << (j % 64);
+TreeSet nearest_of(std::span<const float> distances, std::size_t wanted, Radius radius) {
+  TreeSet set{};
+  for (std::size_t j = 0; j < distances.size(); ++j) set[j / 64] |= std::uint64_t{distances[j] <= radius.length} << (j % 64);
+  if (radius.exact) return set;
   std::size_t count = 0;
   for (const std::uint64_t word : set) count += static_cast<std::size_t>(std::popcount(word));
   for (std::size_t j = distances.size(); j-- > 0 && count > wanted;) {
-    if (distances[j] != radius) continue;
+    if (distances[j] != radius.length) continue;
     set[j / 64] &= ~(std::uint64_t{1} << (j % 64));
     --count;
   }
+  return set;
 }
 
 template <class Take>
@@ -112,32 +130,31 @@ std::uint32_t TriangleKeys::published_hash(std::uint32_t a, std::uint32_t b, std
   return static_cast<std::uint32_t>((sides * rho + area) % range);
 }
 
-TriangleMaker::TriangleMaker(const TriangleSettings& settings) : settings_(settings), keys_(settings) {}
+TriangleMaker::TriangleMaker(const TriangleSettings& settings) : settings_(settings), keys_(settings) {
+  settings_.neighbours = std::clamp(settings_.neighbours, 0, static_cast<int>(TriangleBatch::most_neighbours));  // as Settings::check asks
+}
 
 void TriangleMaker::measure_distances() {
   const std::size_t n = tree_count_;
   distance_.resize(n * n);
   for (std::size_t i = 0; i < n; ++i) {
     float* row = distance_.data() + i * n;
-    const float x = x_[i], y = y_[i];
-    for (std::size_t j = 0; j < n; ++j) {
-      const float dx = x - x_[j], dy = y - y_[j];
-      row[j] = std::sqrt(dx * dx + dy * dy);
-    }
+    measure_from(x_[i], y_[i], x_.data(), y_.data(), row, n);
     row[i] = std::numeric_limits<float>::infinity();  // no tree is its own neighbour
   }
 }
 
 void TriangleMaker::find_neighbours() {
   const std::size_t n = tree_count_;
-  const auto wanted = std::min<std::size_t>(static_cast<std::size_t>(std::max(0, settings_.neighbours)), n > 0 ? n - 1 : 0);
+  const auto wanted = std::min(static_cast<std::size_t>(settings_.neighbours), n > 0 ? n - 1 : 0);
   neighbours_.assign(n, {});
   neighbour_of_.assign(n, {});
   float guess_m = 0.5F * static_cast<float>(settings_.max_side_m);
   for (std::size_t i = 0; i < n && wanted > 0; ++i) {
     const std::span<const float> from_i(distance_.data() + i * n, n);
-    guess_m = radius_of_nearest(from_i, wanted, guess_m);
-    take_nearest(from_i, wanted, guess_m, neighbours_[i]);
+    const Radius radius = radius_of_nearest(from_i, wanted, guess_m);
+    guess_m = radius.length;
+    neighbours_[i] = nearest_of(from_i, wanted, radius);
     each(neighbours_[i], words_, [&](std::size_t other) { insert(neighbour_of_[other], i); });
   }
 }
@@ -158,8 +175,7 @@ TreeSet TriangleMaker::partners(std::size_t center, std::size_t other) const {
 void TriangleMaker::add_triangles_of(std::size_t center) {
   const float* from_center = distance_.data() + center * tree_count_;
   const auto tree = [&](std::size_t i) { return TriangleBatch::Tree{x_[i], y_[i], static_cast<std::int32_t>(i)}; };
-  const auto neighbours = static_cast<std::size_t>(std::max(0, settings_.neighbours));
-  batch_.clear(neighbours * neighbours / 2, tree(center));
+  batch_.clear(tree(center));
   each(neighbours_[center], words_, [&](std::size_t j) {
     const float* from_j = distance_.data() + j * tree_count_;
     each(partners(center, j), words_,

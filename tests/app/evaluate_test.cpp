@@ -139,6 +139,22 @@ TEST_F(EvaluateCommand, ASwitchThatTheMethodDoesNotHaveIsSaidAndOneOfThePresetHo
   EXPECT_NE(plain["recall_at_1"], few["recall_at_1"]);
 }
 
+TEST_F(EvaluateCommand, TheCacheChangesNothingButTheTimes) {
+  const std::string cache = out("cache");
+  std::set<std::string> rows, results;
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--no-cache"}, {"--cache", cache}, {"--cache", cache}, {"--cache", "/dev/null/none"}}) {
+    std::vector<std::string> call{"inter", year("2015"), year("2019"), "--csv", out("cached.csv")};
+    call.insert(call.end(), more.begin(), more.end());
+    Json json = json_of(call);
+    EXPECT_TRUE(json["timing"].contains("map_from_cache"));
+    json.erase("timing");
+    results.insert(json.dump());
+    rows.insert(text_of(out("cached.csv")));
+  }
+  EXPECT_EQ(rows.size(), 1U);
+  EXPECT_EQ(results.size(), 1U);
+}
+
 /// Fast enough for every run; skipped where the data are not.
 TEST(EvaluateRealData, SteinIsLocalisedAsTheAcceptanceTableAsks) {
   const char* shared = std::getenv("STEMWISE_SHARED_DATA");
@@ -154,6 +170,18 @@ TEST(EvaluateRealData, SteinIsLocalisedAsTheAcceptanceTableAsks) {
   EXPECT_LE(json["pose_3d"]["are_deg"], 0.28);
   EXPECT_EQ(json["acceptance"]["accepted_wrong_by_more_than_1_m"], 0);
   EXPECT_GE(json["calibration"]["inside_95"], 0.9);
+}
+
+TEST(EvaluateRealData, SteinComesFromTheCacheTheSecondTime) {
+  const char* shared = std::getenv("STEMWISE_SHARED_DATA");
+  if (shared == nullptr || !fs::exists(fs::path(shared) / "stein")) GTEST_SKIP() << "STEMWISE_SHARED_DATA is not set: no real data";
+  const Folder folder;
+  for (const bool again : {false, true}) {
+    const ProgramRun run = run_stemwise({"evaluate", "intra", (fs::path(shared) / "stein").string(), "--quiet", "--json", "-"}, "XDG_CACHE_HOME=" + folder.path().string());
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(Json::parse(run.out)["timing"]["map_from_cache"], again);
+  }
+  EXPECT_TRUE(fs::exists(folder.path() / "stemwise"));
 }
 
 }  // namespace

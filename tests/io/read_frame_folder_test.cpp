@@ -226,16 +226,52 @@ TEST_F(ReadFrameFolder, ReadsACleanRowFastAndEveryRowAsTheCarefulPathDoes) {
   EXPECT_TRUE(last.issues.empty());
 }
 
+/// A text with the bytes behind it that scan_decimal may look at.
+std::string with_margin(const std::string& text) { return text + std::string(scan_margin, '\0'); }
+
 TEST(ScanDecimal, IsParseDecimalForPlainNumbersAndLeavesTheRest) {
   for (const char* text : {"0", "-0.5", "0.1", "12345.678901", "-12.000001", ".5", "5.", "123456789012345", "0.00000000000001"}) {
-    const ScannedDecimal scanned = scan_decimal(text);
+    const std::string padded = with_margin(text);
+    const ScannedDecimal scanned = scan_decimal(padded.c_str());
     EXPECT_TRUE(scanned.clean) << text;
     EXPECT_EQ(*scanned.end, '\0') << text;
     EXPECT_EQ(scanned.value, parse_decimal(text)) << text;
   }
   for (const char* text : {"", "-", ".", "-.", "x", "1234567890123456", "0.0000000000000001", "True"})
-    EXPECT_FALSE(scan_decimal(text).clean) << text;
-  EXPECT_EQ(*scan_decimal("1e5").end, 'e') << "what follows is the caller's to judge";
+    EXPECT_FALSE(scan_decimal(with_margin(text).c_str()).clean) << text;
+  const std::string exponent = with_margin("1e5");
+  EXPECT_EQ(*scan_decimal(exponent.c_str()).end, 'e') << "what follows is the caller's to judge";
+}
+
+TEST(ScanDecimal, IsParseDecimalForAnyNumberOfDecimalsWhateverFollows) {
+  const std::string digits = "90817263540918";
+  for (std::size_t before = 0; before <= 3; ++before) {
+    for (std::size_t decimals = 0; decimals <= 12; ++decimals) {
+      const std::string text = "-" + digits.substr(0, before) + "." + digits.substr(before, decimals);
+      if (before + decimals == 0) continue;
+      for (const char* behind : {",12345678", "\n", "\r\n9", "/9", ":0", "\xff", ".5"}) {
+        const std::string row = with_margin(text + behind);
+        const ScannedDecimal scanned = scan_decimal(row.c_str());
+        EXPECT_TRUE(scanned.clean) << text;
+        EXPECT_EQ(scanned.end - row.c_str(), static_cast<std::ptrdiff_t>(text.size())) << text << behind;
+        EXPECT_EQ(scanned.value, parse_decimal(text)) << text;
+      }
+    }
+  }
+}
+
+TEST(FindEither, IsTheFirstOfBothWhereverItStands) {
+  for (std::size_t first = 0; first < 20; ++first) {
+    for (std::size_t second = 0; second < 20; ++second) {
+      std::string text(first + second + 2, 'x');
+      text[first / 2] = '-';  // one less than a point, one more than a comma: no neighbours of what is looked for count
+      text[first] = ',';
+      text[first + second + 1] = '\n';
+      const std::string padded = with_margin(text);
+      EXPECT_EQ(find_either(padded.c_str(), ',', '\n') - padded.c_str(), static_cast<std::ptrdiff_t>(first));
+      EXPECT_EQ(find_either(padded.c_str(), ';', '\n') - padded.c_str(), static_cast<std::ptrdiff_t>(first + second + 1));
+    }
+  }
 }
 
 TEST(ParseDecimal, AgreesWithStrtodAndRefusesWhatIsNoNumber) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/treeloc/evaluate.hpp"
+#include "core/treeloc/prepare_scene.hpp"
+#include "core/treeloc/triangle_index.hpp"
 
 namespace stemwise::treeloc {
 namespace {
@@ -49,8 +51,8 @@ TEST(Localizer, ASurveyAddedInPartsIsTheSameAsAtOnce) {
   auto scenes = scenes_of(walk(stand, 15.0, 40, 0.03, 5), settings);
   const auto queries = scenes_of(walk(stand, 16.0, 10, 0.03, 6), settings);
   const auto whole = make_localizer(settings), parts = make_localizer(settings);
-  parts->add({scenes.begin(), scenes.begin() + 15}, 1);
-  parts->add({scenes.begin() + 15, scenes.end()}, 2);
+  parts->add(std::vector<Scene>{scenes.begin(), scenes.begin() + 15}, 1);
+  parts->add(std::vector<Scene>{scenes.begin() + 15, scenes.end()}, 2);
   whole->add(std::move(scenes), 1);
   const auto a = localize_all(*whole, queries, {}, 1, {}), b = localize_all(*parts, queries, {}, 3, {});
   for (std::size_t q = 0; q < queries.size(); ++q) {
@@ -61,6 +63,36 @@ TEST(Localizer, ASurveyAddedInPartsIsTheSameAsAtOnce) {
             .norm(),
         0.02);
   }
+}
+
+TEST(Localizer, ScenesThatCameDescribedAnswerAsThoseItDescribesItself) {
+  for (const Method method : {Method::stemwise, Method::treelocpp}) {
+    const Settings settings = settings_for(method, "auto");
+    const auto stand = random_stand(80.0, 300, 4);
+    const auto scenes = scenes_of(walk(stand, 15.0, 40, 0.03, 5), settings);
+    const auto queries = scenes_of(walk(stand, 16.0, 10, 0.03, 6), settings);
+    const auto plain = make_localizer(settings), described = make_localizer(settings);
+    plain->add(scenes, 1);
+    const auto part = [&](std::size_t first, std::size_t end) { return std::vector<Scene>(scenes.begin() + std::ptrdiff_t(first), scenes.begin() + std::ptrdiff_t(end)); };
+    for (const auto& [first, end] : {std::pair{0U, 25U}, std::pair{25U, 40U}}) {  // the second one's scenes count on
+      auto triangles = std::make_shared<IndexSegment>(index_scenes(part(first, end), settings.triangles, 2));
+      described->add({part(first, end), std::move(triangles)}, 1);
+    }
+    const auto a = localize_all(*plain, queries, {}, 1, {}), b = localize_all(*described, queries, {}, 1, {});
+    for (std::size_t q = 0; q < queries.size(); ++q) {
+      EXPECT_EQ(a[q].candidates.front().scene, b[q].candidates.front().scene);
+      EXPECT_EQ(a[q].candidates.front().score, b[q].candidates.front().score);
+    }
+  }
+}
+
+TEST(TriangleIndex, RefusesTrianglesOfOtherSettings) {
+  TriangleSettings coarse;
+  coarse.step_m = 0.5;
+  TriangleIndex index{TriangleSettings{}};
+  EXPECT_THROW(index.add(index_scenes({}, coarse, 1)), std::invalid_argument);
+  index.add(index_scenes({}, {}, 1));
+  EXPECT_EQ(index.triangle_count(), 0U);
 }
 
 TEST(Localizer, NeverLooksAtScenesBeyondTheLimit) {

@@ -1,3 +1,5 @@
+#include "core/treeloc/fuse_poses.hpp"
+#include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/pose_covariance.hpp"
 
 #include "tests/core/treeloc/synthetic_scene.hpp"
@@ -8,6 +10,7 @@
 
 #include "core/treeloc/evaluate.hpp"
 #include "core/treeloc/prepare_scene.hpp"
+#include "core/treeloc/refine_pose.hpp"
 
 namespace stemwise::treeloc {
 namespace {
