@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view suffix = ".cache";
+constexpr std::string_view suffix = ".stemwise-cache";  // nobody else's: what has it may be deleted
 constexpr std::string_view unfinished = ".unfinished";
 constexpr std::uint64_t magic = 0x31656863'61637773;  // "swcache1", and the byte order with it
 constexpr std::uint64_t most_parts = 16;

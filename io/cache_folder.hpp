@@ -45,7 +45,7 @@ class CacheFolder {
   std::optional<CacheReader> find(std::string_view kind, std::string_view key) const;
   /// Replaces it. False when it was not written: no such folder can be made, no room, or larger than all may be.
   bool keep(std::string_view kind, std::string_view key, std::span<const std::span<const std::byte>> parts) const;
-  /// Where an entry lies; "triangles-0123456789abcdef.cache".
+  /// Where an entry lies; "triangles-0123456789abcdef.stemwise-cache".
   std::string path_of(std::string_view kind, std::string_view key) const;
 
  private:
