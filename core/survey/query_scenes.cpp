@@ -7,6 +7,8 @@
 namespace stemwise {
 namespace {
 
+constexpr double tape_cells = 3.0;  // a second look at small lists: maps made by compass and tape are off by more than a metre
+
 Scene scene_around(const IndexedList& list, const Eigen::Vector2d& centre_m, std::vector<std::size_t> nodes) {
   Scene scene{centre_m, 0.0, std::move(nodes), false, 0.4};
   for (const std::size_t i : scene.nodes) scene.radius_m = std::max(scene.radius_m, (list.nodes.at_m[i] - centre_m).norm());
@@ -49,7 +51,7 @@ std::vector<Scene> query_scenes(const IndexedList& list, const ListSettings& set
   const auto stems = static_cast<std::size_t>(settings.scene_stems);
   if (list.size() > static_cast<std::size_t>(settings.whole_list_stems))
     return spread_scenes(list, static_cast<std::size_t>(settings.scenes), stems, settings.coarse_cell_m);
-  if (list.size() <= stems + stems / 4) return {whole(list, settings.cell_m)};
+  if (list.size() <= stems + stems / 4) return {whole(list, settings.cell_m), whole(list, tape_cells * settings.cell_m)};
   auto scenes = spread_scenes(list, static_cast<std::size_t>(settings.first_scenes), stems, settings.middle_cell_m);
   scenes.push_back(whole(list, settings.middle_cell_m));
   return scenes;
