@@ -10,8 +10,8 @@ namespace stemwise::treeloc {
 namespace {
 
 // The triangles of a block and the keys of a part each stay in a core's cache while they are sorted.
-constexpr std::uint32_t scenes_per_block = 16;
-constexpr std::size_t blocks_per_task = 8;
+constexpr std::uint32_t scenes_per_block = 32;
+constexpr std::size_t blocks_per_task = 4;
 constexpr std::uint32_t most_parts = 256;
 
 /// How keys are split into parts: by their upper bits, for a division per triangle would cost as much as the rest.
