@@ -202,6 +202,19 @@ void Viewport::sync(const ProjectState& state, const Tables& tables, std::uint64
   if (s.is_fit_pending) s.fit();
 }
 
+void Viewport::follow(const Viewport& other) {
+  const Projection& there = other.impl_->view;
+  Projection& here = impl_->view;
+  const bool same = here.map.centre_m == there.map.centre_m && here.map.metres_per_px == there.map.metres_per_px && here.orbit.target_m == there.orbit.target_m &&
+                    here.orbit.distance_m == there.orbit.distance_m && here.orbit.azimuth_rad == there.orbit.azimuth_rad && here.orbit.elevation_rad == there.orbit.elevation_rad;
+  if (same) return;
+  impl_->flight.reset();
+  impl_->is_moved = true;
+  here.map = there.map;
+  here.orbit = there.orbit;
+  impl_->touch();
+}
+
 bool Viewport::is_dirty() const { return impl_->is_scene_stale || impl_->is_drawing_stale || impl_->is_overlay_stale || impl_->flight; }
 
 std::uint32_t Viewport::render(PixelSize size, double scale) {

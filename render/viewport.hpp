@@ -49,6 +49,8 @@ class Viewport {
   /// uv (0,1)-(1,0)). `scale` is the window's content scale: text and lines grow with it. Leaves framebuffer 0 bound.
   /// Throws std::runtime_error when GL cannot be used.
   std::uint32_t render(PixelSize size, double scale);
+  /// Looks from where the other one does: for two pictures that are shown side by side.
+  void follow(const Viewport& other);
   bool is_dirty() const;  ///< render() would draw; nothing to do otherwise
   /// The last picture, top row first, 4 bytes a pixel. Needs the context.
   Image image();

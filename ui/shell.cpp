@@ -121,6 +121,7 @@ void Shell::draw(Frame& frame) {
   if (frame.view.dialog == Dialog::none && plain && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     frame.view.tool = Tool::select;
     frame.view.blink = false;
+    frame.view.slide = false;
     frame.view.group.clear();
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;

@@ -58,6 +58,8 @@ struct ViewState {
   QueueFilter queue;
   Heat heat = Heat::none;
   bool blink = false;
+  bool slide = false;              ///< the last two surveys side by side, with a bar to drag between them
+  float slide_at = 0.5f;           ///< of the picture's width: left of it the earlier survey, right of it the later one
   ThemeName theme = ThemeName::light;
   bool reduce_motion = false;
   double zoom_percent = 100.0;     ///< of the interface, beside the display's own scale

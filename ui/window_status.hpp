@@ -46,6 +46,8 @@ struct ViewportPicture {
   std::uint64_t texture = 0;
   int width_px = 0;
   int height_px = 0;
+  std::uint64_t later_texture = 0;  ///< while two surveys are compared: the same view of the later one; else 0
+  std::string earlier, later;       ///< what they are called
 };
 
 /// A line over the picture, in its pixels.

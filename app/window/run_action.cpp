@@ -47,7 +47,8 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_mode: v.mode = v.mode == ui::ViewMode::map ? ui::ViewMode::space : ui::ViewMode::map; return true;
     case view_fit: m.viewport.fit(); return true;
     case view_focus: m.viewport.fly_to(v.selected_tree, !v.reduce_motion); return true;
-    case view_blink: toggle(v.blink); return true;
+    case view_blink: toggle(v.blink); v.slide = false; return true;
+    case view_slide: toggle(v.slide); v.blink = false; return true;
     case view_links: toggle(v.layers.links); return true;
     case view_residuals: toggle(v.layers.residuals); return true;
     case view_coverage: toggle(v.layers.coverage); return true;

@@ -21,6 +21,11 @@ static_assert(static_cast<int>(render::ColorBy::times_seen) == static_cast<int>(
 std::vector<InventoryId> hidden_now(const Document& document, const ui::ViewState& view, double now_s) {
   std::vector<InventoryId> hidden(view.hidden.begin(), view.hidden.end());
   const std::vector<InventoryId>& placed = document.derived().tables.inventories;
+  if (view.slide && placed.size() >= 2) {
+    hidden.assign(placed.begin(), placed.end());
+    std::erase(hidden, placed[placed.size() - 2]);
+    return hidden;
+  }
   if (!view.blink || placed.size() < 2) return hidden;
   const bool first = std::fmod(now_s, 2.0 * blink_period_s) < blink_period_s;
   hidden.assign(placed.begin(), placed.end());
@@ -63,6 +68,21 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, d
   options.moving = dragging_;
   viewport_.set_options(options);
   viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
+  update_later(document, view, options);
+}
+
+void ViewportHost::update_later(const Document& document, const ui::ViewState& view, render::ViewOptions options) {
+  const std::vector<InventoryId>& placed = document.derived().tables.inventories;
+  if (!view.slide || placed.size() < 2) {
+    later_.reset();
+    return;
+  }
+  options.hidden.assign(placed.begin(), placed.end() - 1);
+  earlier_name_ = ui::survey_label(document.state(), placed[placed.size() - 2]);
+  later_name_ = ui::survey_label(document.state(), placed.back());
+  if (!later_) later_.emplace();
+  later_->set_options(options);
+  later_->sync(document.state(), document.derived().tables, document.derived().revision);
 }
 
 ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
@@ -71,7 +91,10 @@ ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
   shown_ = {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   const std::uint32_t texture = viewport_.render(size, scale);
   if (renderer_.empty()) renderer_ = viewport_.renderer_name();
-  return {texture, size.width, size.height};
+  if (!later_) return {texture, size.width, size.height};
+  later_->resize(size, scale);
+  later_->follow(viewport_);
+  return {texture, size.width, size.height, later_->render(size, scale), earlier_name_, later_name_};
 }
 
 bool ViewportHost::advance(double elapsed_s, const ui::ViewState& view) {
@@ -108,6 +131,10 @@ std::optional<ui::MapRegion> ViewportHost::map_region() const {
   return region;
 }
 
+const render::Viewport& ViewportHost::picture_at(double x_px, const ui::ViewState& view) const {
+  return later_ && x_px > static_cast<double>(view.slide_at * shown_.width) ? *later_ : viewport_;
+}
+
 std::optional<render::Pick> ViewportHost::pointer(const ui::request::Pointer& p, const ui::ViewState& view) {
   const bool space = view.mode == ui::ViewMode::space;
   const bool moves = p.left_down || p.middle_down || p.right_down;
@@ -124,7 +151,7 @@ std::optional<render::Pick> ViewportHost::pointer(const ui::request::Pointer& p,
   }
   if (p.wheel != 0.0) viewport_.zoom_at(p.x_px, p.y_px, std::pow(1.2, p.wheel));
   cursor_px_ = p.hovered ? std::optional<Eigen::Vector2d>({p.x_px, p.y_px}) : std::nullopt;
-  const std::optional<render::Pick> under = p.hovered && !moves ? viewport_.pick(p.x_px, p.y_px) : std::nullopt;
+  const std::optional<render::Pick> under = p.hovered && !moves ? picture_at(p.x_px, view).pick(p.x_px, p.y_px) : std::nullopt;
   hovered_ = under ? under->tree : TreeId{};
   hovered_stem_ = under ? under->stem : StemRef{};
   if (!p.clicked) return std::nullopt;

@@ -36,6 +36,8 @@ class ViewportHost {
   const render::Viewport& viewport() const { return viewport_; }
 
  private:
+  const render::Viewport& picture_at(double x_px, const ui::ViewState& view) const;
+  void update_later(const Document& document, const ui::ViewState& view, render::ViewOptions options);
   void describe_hover(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
   void describe_click(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
   void move_camera(const ui::request::Pointer& pointer, bool space);
@@ -44,6 +46,8 @@ class ViewportHost {
   void describe_measure(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
 
   render::Viewport viewport_;
+  std::optional<render::Viewport> later_;  ///< only while two surveys are compared by sliding
+  std::string earlier_name_, later_name_;
   TreeId hovered_;
   StemRef hovered_stem_;
   std::optional<ui::Rect> box_;  ///< from where the button went down to the cursor; sizes may be negative

@@ -60,6 +60,11 @@ bool run_line(HeadlessWindow& window, std::istringstream line) {
   if (!(line >> x >> y)) return false;
   if (verb == "size") return window.resize(static_cast<int>(x), static_cast<int>(y)), true;
   if (verb == "move") return window.move_to(x, y), window.frames(2), true;
+  if (verb == "drag") {
+    float to_x = 0, to_y = 0;
+    if (!(line >> to_x >> to_y)) return false;
+    return window.drag(x, y, to_x, to_y), true;
+  }
   if (verb == "click-at") return window.click_at(x, y), true;
   return false;
 }

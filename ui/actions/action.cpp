@@ -31,6 +31,7 @@ constexpr std::array<Action, action_count> table{{
     {view_fit, "view.fit", "Show everything", Menu::view, {Key::home}, "Fits all stems into the view."},
     {view_focus, "view.focus", "Focus on the selected tree", Menu::view, plain('F'), "Flies to the selected tree."},
     {view_blink, "view.blink", "Blink between surveys", Menu::view, {Key::space}, "Shows the first and the last survey in turn."},
+    {view_slide, "view.slide", "Slide between surveys", Menu::view, plain('C'), "The last two surveys in one picture, with a bar to drag between them."},
     {view_links, "view.links", "Match links", Menu::view, alt('L'), "Lines between stems that are held to be one tree.", true},
     {view_residuals, "view.residuals", "Residual arrows", Menu::view, alt('R'), "From each sighting to the next, lengthened so that the pattern shows."},
     {view_coverage, "view.coverage", "Coverage", Menu::view, alt('C'), "Where each survey looked."},

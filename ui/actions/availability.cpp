@@ -101,7 +101,7 @@ Availabilities availabilities(const Project& project, const Derived& derived, co
   Reasons reasons(out);
   project_reasons(reasons, project, view, status);
   tree_reasons(reasons, project, derived, view);
-  reasons.unless(derived.tables.inventories.size() >= 2, {view_blink}, "Blinking needs two aligned surveys");
+  reasons.unless(derived.tables.inventories.size() >= 2, {view_blink, view_slide}, "Comparing needs two aligned surveys");
   return out;
 }
 

@@ -27,6 +27,38 @@ void ViewportPanel::draw_picture(Widgets& w, Frame& frame, const Rect& rect) {
   ImGui::SetItemAllowOverlap();
   w.record_last("viewport", frame.view.mode == ViewMode::map ? "map" : "3D");
   send_pointer(frame, rect);
+  if (picture.later_texture != 0) draw_later(w, frame, rect);
+}
+
+/// The later survey right of a bar that is dragged; the names stand beside its foot.
+void ViewportPanel::draw_later(Widgets& w, Frame& frame, const Rect& rect) {
+  const ViewportPicture& picture = frame.status.viewport;
+  float& at = frame.view.slide_at;
+  const float grip = w.px(18);
+  const float x = rect.x + at * rect.width;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.later_texture)), {x, rect.y}, {rect.right(), rect.bottom()}, {at, 1}, {1, 0});
+  const Rect handle{x - 0.5f * grip, rect.center_y() - w.px(20), grip, w.px(40)};
+  ImGui::SetCursorScreenPos({handle.x, handle.y});
+  ImGui::InvisibleButton("slide", {handle.width, handle.height});
+  w.record_last("viewport/slide", picture.earlier + " | " + picture.later);
+  const bool active = ImGui::IsItemActive();
+  if (active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (active) at = std::clamp(at + ImGui::GetIO().MouseDelta.x / std::max(rect.width, 1.0f), 0.02f, 0.98f);
+  w.fill({x - 1, rect.y, w.px(2), rect.height}, w.tokens().accent);
+  w.fill(handle, active ? w.tokens().accent : w.tokens().panel, 0.5f * grip);
+  w.outline(handle, w.tokens().accent, 0.5f * grip);
+  const float y = rect.bottom() - w.px(34), height = w.px(24);
+  const auto name = [&](const std::string& text, bool left) {
+    const float width = w.text_width(text, TextRole::strong) + w.px(20);
+    const Rect plate{left ? x - width - w.px(8) : x + w.px(8), y, width, height};
+    if (plate.x < rect.x || plate.right() > rect.right()) return;
+    w.fill(plate, w.tokens().panel, w.px(6));
+    w.outline(plate, w.tokens().line, w.px(6));
+    w.text_in(plate, text, TextRole::strong, Tone::text, Align::center);
+  };
+  name(picture.earlier, true);
+  name(picture.later, false);
 }
 
 void ViewportPanel::send_pointer(Frame& frame, const Rect& rect) {

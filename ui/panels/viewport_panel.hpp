@@ -11,6 +11,7 @@ class ViewportPanel {
 
  private:
   void draw_picture(Widgets& w, Frame& frame, const Rect& rect);
+  void draw_later(Widgets& w, Frame& frame, const Rect& rect);
   void send_pointer(Frame& frame, const Rect& rect);
   void draw_tools(Widgets& w, Frame& frame, const Rect& rect);
   void draw_layers(Widgets& w, Frame& frame, const Rect& button);

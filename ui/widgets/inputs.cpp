@@ -20,6 +20,21 @@ bool Widgets::checkbox(const std::string& path, const std::string& label, bool& 
   return pressed;
 }
 
+/// Below its field, or above it where the window ends; wide enough for every item.
+void Widgets::place_list(const Rect& field, const std::vector<std::string>& items) const {
+  float widest = field.width;
+  const std::size_t measured = std::min<std::size_t>(items.size(), 60);
+  for (std::size_t i = 0; i < measured; ++i) widest = std::max(widest, text_width(items[i], TextRole::body) + px(34));
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float wanted = std::min(px(320), static_cast<float>(items.size()) * (px(22) + ImGui::GetStyle().ItemSpacing.y) + px(12));
+  const float below = screen.y - field.bottom() - px(6), above = field.y - px(6);
+  const bool down = wanted <= below || below >= above;
+  const float height = std::min(wanted, down ? below : above);
+  const float x = std::max(px(4), std::min(field.x, screen.x - widest - px(4)));
+  ImGui::SetNextWindowPos({x, down ? field.bottom() + px(2) : field.y - px(2)}, ImGuiCond_Always, {0.0f, down ? 0.0f : 1.0f});
+  ImGui::SetNextWindowSizeConstraints({widest, 0}, {widest, height});
+}
+
 bool Widgets::combo(const std::string& path, const std::vector<std::string>& items, int& current, float width_px) {
   const float width = width_px > 0.0f ? width_px : available_width();
   const bool known = current >= 0 && current < static_cast<int>(items.size());
@@ -36,8 +51,7 @@ bool Widgets::combo(const std::string& path, const std::vector<std::string>& ite
   text_in({rect.right() - px(25), rect.y, px(18), rect.height}, icon::caret_down, TextRole::caption, Tone::secondary, Align::center);
   if (pressed) ImGui::OpenPopup("items");
   bool changed = false;
-  ImGui::SetNextWindowPos({rect.x, rect.bottom() + px(2)});
-  ImGui::SetNextWindowSizeConstraints({rect.width, 0}, {rect.width, px(320)});
+  place_list(rect, items);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(6), px(6)});
   if (ImGui::BeginPopup("items")) {
     for (std::size_t i = 0; i < items.size(); ++i) {

@@ -98,6 +98,7 @@ class Widgets {
  private:
   void draw_button(const Rect& rect, const std::string& label, const ButtonLook& look, bool hovered, bool held);
   void focus_ring(const Rect& rect);
+  void place_list(const Rect& field, const std::vector<std::string>& items) const;
 };
 
 }  // namespace stemwise::ui
