@@ -65,18 +65,25 @@ std::vector<bool> free_to_correct(const ProjectState& state, const AlignHints& h
   return free;
 }
 
+std::vector<RejectedConstraint> rejected_of(const RegisterReport& report, const Surveys& surveys) {
+  std::vector<RejectedConstraint> rejected;
+  for (const TrajectoryConstraint& c : report.constraints)
+    if (!c.accepted) rejected.push_back({surveys[c.a]->id, surveys[c.b]->id, c.frame_a, c.frame_b, c.residual_m});
+  std::stable_sort(rejected.begin(), rejected.end(), [](const auto& p, const auto& q) { return p.residual_m > q.residual_m; });
+  return rejected;
+}
+
 /// Drift taken out of `surveys`; the notes are the report's.
-Surveys correct(const ProjectState& state, Surveys& surveys, const AlignJobSettings& settings, const AlignHints& hints, std::vector<std::string>& notes,
-                const Progress& progress) {
+void correct(const ProjectState& state, Surveys& surveys, const AlignJobSettings& settings, const AlignHints& hints, std::vector<std::string>& notes, AlignOutcome& outcome,
+             const Progress& progress) {
   RegisterSettings registering = settings.registering;
   registering.scenes = settings.align.scenes;
   registering.lists = settings.align.lists;
   const Registered registered = correct_trajectories(surveys, free_to_correct(state, hints), registering, settings.align.threads, progress);
   notes.insert(notes.end(), registered.report.notes.begin(), registered.report.notes.end());
-  Surveys corrected;
+  outcome.rejected = rejected_of(registered.report, surveys);
   for (std::size_t s = 0; s < surveys.size(); ++s)
-    if (registered.corrected[s]) corrected.push_back(surveys[s] = registered.corrected[s]);
-  return corrected;
+    if (registered.corrected[s]) outcome.corrected.push_back(surveys[s] = registered.corrected[s]);
 }
 
 /// Of inventories in one coordinate system the pose is near the identity: what GNSS and a compass are off by.
@@ -107,7 +114,7 @@ AlignOutcome align_project(const ProjectState& state, const AlignJobSettings& se
   std::vector<std::string> notes;
   Surveys surveys = surveys_with_frames(state, settings.align.threads, notes, progress);
   AlignOutcome outcome;
-  outcome.corrected = correct(state, surveys, settings, hints, notes, progress.stage(0.0, 0.2));
+  correct(state, surveys, settings, hints, notes, outcome, progress.stage(0.0, 0.2));
   std::vector<const Inventory*> inventories;
   for (const auto& survey : surveys) inventories.push_back(survey.get());
   outcome.alignment = align_surveys(inventories, state.reference, settings.align, hints, progress.stage(0.2, settings.one_crs ? 0.6 : 1.0));

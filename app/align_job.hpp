@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/rejected_constraint.hpp"
 #include "core/project/command.hpp"
 #include "core/survey/align_surveys.hpp"
 #include "core/survey/register_trajectories.hpp"
@@ -21,6 +22,7 @@ struct AlignJobSettings {
 struct AlignOutcome {
   std::vector<std::shared_ptr<const Inventory>> corrected;  ///< surveys whose trajectory had drifted, with their stems made anew
   SurveyAlignment alignment;
+  std::vector<RejectedConstraint> rejected;  ///< by the estimate of the trajectories, the farthest off first
   std::vector<std::pair<InventoryId, Coverage>> coverages;
 };
 

@@ -107,6 +107,25 @@ ordered_json change_json(const ProjectState& state, const StandChange& change) {
   return json;
 }
 
+ordered_json rejected_json(const ProjectState& state, std::span<const RejectedConstraint> rejected) {
+  ordered_json list = ordered_json::array();
+  const auto frame = [](const std::optional<std::size_t>& index) { return index ? ordered_json(*index) : ordered_json(); };
+  for (const RejectedConstraint& c : rejected)
+    list.push_back({{"a", name_of(state, c.a)}, {"frame_a", frame(c.frame_a)}, {"b", name_of(state, c.b)}, {"frame_b", frame(c.frame_b)}, {"residual_m", c.residual_m}});
+  return list;
+}
+
+/// Inventories that hang together, the reference's group first; whatever nothing connects is a group of its own.
+ordered_json groups_json(const ProjectState& state) {
+  ordered_json together = ordered_json::array(), groups = ordered_json::array();
+  for (const auto& inventory : state.inventories)
+    if (state.is_placed(inventory->id)) together.push_back(inventory->name);
+  if (!together.empty()) groups.push_back(together);
+  for (const auto& inventory : state.inventories)
+    if (!state.is_placed(inventory->id)) groups.push_back({inventory->name});
+  return groups;
+}
+
 ordered_json timing_json(const AlignTiming& t) {
   return {{"read", t.read_s}, {"describe", t.describe_s}, {"retrieve", t.retrieve_s}, {"verify", t.verify_s},
           {"optimise", t.optimise_s}, {"match", t.match_s}, {"total", t.total_s}};
@@ -125,7 +144,7 @@ std::string survey_line(const Inventory& inventory, const InventoryAlignment& a)
 
 }  // namespace
 
-std::string align_json(const ProjectState& state, const Tables& tables, const AlignTiming& timing, std::uint64_t seed) {
+std::string align_json(const ProjectState& state, const Tables& tables, std::span<const RejectedConstraint> rejected, const AlignTiming& timing, std::uint64_t seed) {
   ordered_json json{{"reference", name_of(state, state.reference)}, {"seed", seed}};
   json["inventories"] = ordered_json::array();
   for (const auto& inventory : state.inventories) {
@@ -136,6 +155,8 @@ std::string align_json(const ProjectState& state, const Tables& tables, const Al
   for (const PairReport& pair : state.pairs) {
     json["pairs"].push_back({{"a", name_of(state, pair.a)}, {"b", name_of(state, pair.b)}, {"constraints", pair.constraints}, {"accepted", pair.accepted}});
   }
+  json["rejected_constraints"] = rejected_json(state, rejected);
+  json["groups"] = groups_json(state);
   json["trees"] = trees_json(tables);
   json["growth"] = ordered_json::array();
   for (const GrowthRow& row : tables.growth) json["growth"].push_back(growth_json(state, row));

@@ -112,6 +112,7 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   run.timing = outcome.alignment.timing;
   session.console.end_progress();
   for (const std::string& note : outcome.alignment.notes) session.console.say("note: " + note);
+  run.rejected = outcome.rejected;
   run.project.execute(apply_outcome(std::move(outcome)));
   run.tables = derive_tables(run.project.state());
   run.seed = settings.align.seed;

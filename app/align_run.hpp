@@ -2,6 +2,7 @@
 #include <string>
 
 #include "app/commands/align.hpp"
+#include "app/rejected_constraint.hpp"
 #include "core/project/project.hpp"
 #include "core/survey/tables.hpp"
 
@@ -13,6 +14,7 @@ struct AlignRun {
   std::string problem;             ///< why, in one line, where an input was the reason
   Project project;
   Tables tables;
+  std::vector<RejectedConstraint> rejected;
   AlignTiming timing;
   std::uint64_t seed = 0;
 };

@@ -46,7 +46,7 @@ ExitCode run_align(const AlignOptions& options, Session& session) {
     if (!written) return ExitCode::failed;
   }
   session.console.say(align_text(state, run.tables));
-  const ExitCode json = session.write_json(align_json(state, run.tables, run.timing, run.seed));
+  const ExitCode json = session.write_json(align_json(state, run.tables, run.rejected, run.timing, run.seed));
   return verdict != ExitCode::done ? verdict : json;
 }
 

@@ -148,7 +148,7 @@ PlotResult align_plot(const ManifestPlot& plot, const fs::path& folder, Session&
   if (run.code != ExitCode::done) return {summary_line(plot, run.code, run), csv_cell(plot.plot) + ",\n"};
   const ProjectState& state = run.project.state();
   ExitCode code = judge_alignment(state, session.console);
-  Result<Done> written = write_whole_file((folder / "align.json").string(), align_json(state, run.tables, run.timing, run.seed));
+  Result<Done> written = write_whole_file((folder / "align.json").string(), align_json(state, run.tables, run.rejected, run.timing, run.seed));
   if (written && code == ExitCode::done) written = write_project(state, (folder / "project.gpkg").string());
   session.console.issues(written.issues);
   if (!written) code = ExitCode::failed;

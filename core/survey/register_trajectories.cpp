@@ -254,7 +254,24 @@ class Registration {
       if (c.a == s || c.b == s) (c.accepted ? used : rejected)++;
     char text[160];
     std::snprintf(text, sizeof text, ": the trajectory had drifted; corrected by %.2f m (root mean square) from %d constraints, %d rejected.", result.correction_m[s], used, rejected);
-    result.notes.push_back(surveys_[s].name + text + scale_text(scale_[s]));
+    result.notes.push_back(surveys_[s].name + text + scale_text(scale_[s]) + rejected_text(s));
+  }
+
+  /// The rejected constraints of a survey, the farthest off first, at most five.
+  std::string rejected_text(std::size_t s) const {
+    std::vector<const TrajectoryConstraint*> rejected;
+    for (const TrajectoryConstraint& c : constraints_)
+      if (!c.accepted && (c.a == s || c.b == s)) rejected.push_back(&c);
+    if (rejected.empty()) return "";
+    std::stable_sort(rejected.begin(), rejected.end(), [](const auto* p, const auto* q) { return p->residual_m > q->residual_m; });
+    const auto side = [&](std::size_t survey, const std::optional<std::size_t>& frame) { return surveys_[survey].name + (frame ? " frame " + std::to_string(*frame) : ""); };
+    std::string text = " Rejected:";
+    for (std::size_t k = 0; k < std::min<std::size_t>(5, rejected.size()); ++k) {
+      char off[40];
+      std::snprintf(off, sizeof off, " (%.2f m off)", rejected[k]->residual_m);
+      text += (k == 0 ? " " : ", ") + side(rejected[k]->a, rejected[k]->frame_a) + " on " + side(rejected[k]->b, rejected[k]->frame_b) + off;
+    }
+    return text + (rejected.size() > 5 ? " and " + std::to_string(rejected.size() - 5) + " more." : ".");
   }
 
   const std::vector<Inventory>& surveys_;

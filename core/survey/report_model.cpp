@@ -53,6 +53,8 @@ ReportSurvey survey_of(const ProjectState& state, const Tables& tables, const In
     survey.margin = a.acceptance.margin;
     survey.probability = a.acceptance.probability;
   }
+  for (const std::string& note : inventory.source.notes)
+    if (note.starts_with(inventory.name + ": the trajectory")) survey.trajectory_notes.push_back(note);
   if (survey.placed) survey.area = area_of(tables, inventory.id, options);
   return survey;
 }

@@ -38,6 +38,7 @@ struct ReportSurvey {
   int dead = 0;                        ///< marked dead in the file: in no stand figure
   AlignmentStatus status = AlignmentStatus::unaligned;
   std::string reason;
+  std::vector<std::string> trajectory_notes;  ///< what was done about its drift
   ObservedDofs observed;
   double overlap = 0.0;
   int matched = 0;

@@ -65,6 +65,8 @@ ReportSection survey_section(const ReportModel& model) {
     if (s.placed || s.reason.empty()) continue;
     section.blocks.emplace_back(ReportParagraph{s.name + " is not part of this report: " + s.reason, true});
   }
+  for (const ReportSurvey& s : model.surveys)
+    for (const std::string& note : s.trajectory_notes) section.blocks.emplace_back(ReportParagraph{note});
   std::string text = "All positions are in the frame of " + model.reference + ". ";
   text += model.georeference.empty() ? "The project is not georeferenced." : "Placed on the earth by " + model.georeference + ".";
   if (model.decisions_by_hand > 0) text += " " + std::to_string(model.decisions_by_hand) + " matches were decided by hand.";

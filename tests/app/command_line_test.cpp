@@ -172,6 +172,8 @@ class SmallProject : public ::testing::Test {
 TEST_F(SmallProject, AlignSaysInJsonWhatTheContractPromises) {
   const auto json = nlohmann::json::parse(text_of(folder_ / "report.json"));
   for (const char* key : {"reference", "seed", "inventories", "pairs", "trees", "growth", "timing_s"}) EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["groups"], nlohmann::json::parse(R"([["2015", "2019", "2023"]])"));
+  EXPECT_TRUE(json["rejected_constraints"].empty()) << "bare lists have no trajectory";
   ASSERT_EQ(json["inventories"].size(), 3u);
   int aligned = 0;
   for (const auto& inventory : json["inventories"]) {
