@@ -1,6 +1,8 @@
 #include "app/check_output.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "io/project_file.hpp"
 
@@ -20,7 +22,34 @@ std::string lower_suffix(const std::string& path) {
   return suffix;
 }
 
+/// What our own --json begins with, and no table, project or GeoJSON does.
+bool may_hold_a_result(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return true;
+  return (head[first] == '{' || head[first] == '[') && head.find("\"Feature") == std::string::npos;
+}
+
 }  // namespace
+
+ExitCode check_json_target(const std::string& path, Console& console) {
+  std::error_code code;
+  if (path.empty() || path == "-" || !fs::is_regular_file(path, code) || may_hold_a_result(path)) return ExitCode::done;
+  console.error("--json " + path + ": the file is there and is no earlier result, and writing would destroy it; choose another name");
+  return ExitCode::usage;
+}
+
+ExitCode check_decisions_kept(const std::string& project, Console& console) {
+  if (!is_project(project)) return ExitCode::done;
+  const Result<ProjectState> there = read_project(project);
+  if (!there || there->edit_log.empty()) return ExitCode::done;
+  console.error(project + ": this project holds " + std::to_string(there->edit_log.size()) +
+                " edits made by hand, which a new run would not know; read it too (stemwise align " + project + " ... -o " + project + "), move it away, or choose another name");
+  return ExitCode::usage;
+}
 
 ExitCode check_output(const std::string& output, OutputKind kind, const std::vector<std::string>& inputs, Console& console) {
   std::error_code code;

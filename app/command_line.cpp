@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/check_output.hpp"
 #include "app/command_registry.hpp"
 #include "app/interrupt.hpp"
 #include "core/base/parallel.hpp"
@@ -49,6 +50,7 @@ ExitCode report_parse_outcome(const CLI::App& app, const CLI::ParseError& outcom
 ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, const Interrupt& interrupt) {
   Console console(common.quiet);
   Session session{common, console, interrupt.requested()};
+  if (const ExitCode code = check_json_target(common.json, console); code != ExitCode::done) return code;
   try {
     return chosen.run(session);
   } catch (const Cancelled&) {

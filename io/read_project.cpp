@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "io/exact_number.hpp"
@@ -146,6 +147,15 @@ class StateReader {
     }
   }
 
+  /// What no survey has: a number that a person or a broken disk put there. Segment and grid sizes follow from coordinates.
+  static void check_stem(const Stem& s, const std::string& inventory) {
+    constexpr double largest_m = 1e8, largest_dbh_m = 50.0;
+    const auto place = [&](double v) { return std::isfinite(v) && std::abs(v) <= largest_m; };
+    const auto diameter = [&](const std::optional<double>& v) { return !v || (*v > 0.0 && *v <= largest_dbh_m); };
+    if (!place(s.x_m) || !place(s.y_m) || !place(s.z_m.value_or(0.0))) damaged("stem " + s.source_id + " of " + inventory + " lies off the earth");
+    if (!diameter(s.dbh_m) || !diameter(s.dbh_approximation_m)) damaged("stem " + s.source_id + " of " + inventory + " has an impossible diameter");
+  }
+
   static Stem stem_from(const TableReader& t) {
     Stem s;
     s.source_id = t.text(2);
@@ -176,6 +186,7 @@ class StateReader {
       auto& stems = inventory->second->stems;
       if (t.integer(1) != static_cast<std::int64_t>(stems.size())) damaged("stems of " + inventory->second->name + " are missing");
       stems.push_back(stem_from(t));
+      check_stem(stems.back(), inventory->second->name);
       if (const auto tree = t.optional_integer(21)) state_.tree_of_stem[inventory->first].push_back(TreeId{*tree});
     }
     check_rows("rows_stems", t.rows());

@@ -31,12 +31,16 @@ int flush(const std::string& path, int flags) {
 }  // namespace
 
 std::string temporary_beside(const std::string& path) {
-  const fs::path p(path);
+  std::error_code ignored;
+  const fs::path resolved = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
+  const fs::path p = resolved.empty() ? fs::path(path) : resolved;
   return (p.parent_path() / ("." + p.stem().string() + ".writing-" + std::to_string(::getpid()) + p.extension().string())).string();
 }
 
-Result<Done> replace_file(const std::string& temporary, const std::string& path) {
+Result<Done> replace_file(const std::string& temporary, const std::string& given) {
   std::error_code ignored;
+  const fs::path target = fs::is_symlink(given, ignored) ? fs::weakly_canonical(given, ignored) : fs::path(given);  // a link stays one
+  const std::string path = target.empty() ? given : target.string();
   const auto give_up = [&](const std::string& why) {
     fs::remove(temporary, ignored);
     return failed(path, why);

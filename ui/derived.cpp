@@ -46,12 +46,22 @@ void count_overlap(Derived& d) {
   }
 }
 
-void count_fates(Derived& d) {
+bool was_dead_before(const Derived& d, const ProjectState& state, TreeId tree, InventoryId last) {
+  const std::vector<std::size_t>& seen = d.observations.at(tree);
+  return std::any_of(seen.begin(), seen.end(), [&](std::size_t i) {
+    const StemRef stem = d.tables.observations[i].stem;
+    return stem.inventory != last && state.find(stem)->status == StemStatus::dead;
+  });
+}
+
+void count_fates(Derived& d, const ProjectState& state) {
   const std::vector<InventoryId>& surveys = d.tables.inventories;
   if (surveys.size() < 2) return;
   const InventoryId from = surveys[surveys.size() - 2], to = surveys.back();
   for (const TreeRow& tree : d.tables.trees) {
-    if (tree.last_seen == from || tree.last_seen == to) {
+    if (was_dead_before(d, state, tree.tree, to)) {
+      ++d.dead_before;
+    } else if (tree.last_seen == from || tree.last_seen == to) {
       ++d.last_step_fates[static_cast<std::size_t>(tree.fate)];
     } else {
       ++d.seen_before_only;
@@ -79,7 +89,7 @@ Derived derive(const ProjectState& state, std::uint64_t revision) {
                      [&](std::size_t a, std::size_t b) { return place(t.observations[a].stem.inventory) < place(t.observations[b].stem.inventory); });
   }
   count_overlap(d);
-  count_fates(d);
+  count_fates(d, state);
   return d;
 }
 

@@ -24,6 +24,7 @@ struct Derived {
   std::unordered_map<TreeId, std::size_t> queue;                      ///< the first (most doubtful) entry of a tree
   std::unordered_map<InventoryId, InOverlap> in_overlap;              ///< of each placed survey
   std::array<int, fate_count> last_step_fates{};                      ///< of the trees seen in one of the last two surveys
+  int dead_before = 0;                                                ///< recorded as dead in the first of the two already, or before
   int seen_before_only = 0;                                           ///< trees last seen before these two
   int decided = 0;                                                    ///< of the queue
 

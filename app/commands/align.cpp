@@ -1,8 +1,11 @@
 #include "app/commands/align.hpp"
 
+#include <algorithm>
+
 #include "app/align_json.hpp"
 #include "app/align_run.hpp"
 #include "app/check_output.hpp"
+#include "core/survey/unit_doubt.hpp"
 #include "io/project_file.hpp"
 
 namespace stemwise {
@@ -33,12 +36,16 @@ void warn_of_twins(const ProjectState& state, Console& console) {
 
 ExitCode run_align(const AlignOptions& options, Session& session) {
   if (const ExitCode code = check_output(options.output, OutputKind::project, options.inventories, session.console); code != ExitCode::done) return code;
+  const bool read_too = std::any_of(options.inventories.begin(), options.inventories.end(), [&](const std::string& path) { return is_project(path); });
+  if (!read_too)
+    if (const ExitCode code = check_decisions_kept(options.output, session.console); code != ExitCode::done) return code;
   const AlignRun run = run_alignment(options, session);
   if (run.code != ExitCode::done) return run.code;
   session.progress().check();
   const ProjectState& state = run.project.state();
   warn_of_undated(state, session.console);
   warn_of_twins(state, session.console);
+  for (const std::string& doubt : unit_doubts(state)) session.console.warn(doubt + " Tell it with --unit dbh=mm (cm, m, in)");
   const ExitCode verdict = judge_alignment(state, session.console);
   if (verdict == ExitCode::done) {
     const Result<Done> written = write_project(state, options.output);

@@ -9,6 +9,7 @@
 
 #include "app/align_json.hpp"
 #include "app/align_run.hpp"
+#include "app/check_output.hpp"
 #include "app/read_inputs.hpp"
 #include "app/result_json.hpp"
 #include "io/project_file.hpp"
@@ -171,6 +172,12 @@ PlotResult do_plot(const ManifestPlot& plot, const BatchOptions& options, Sessio
     return {*earlier, ""};
   }
   session.console.say(plot.plot + ": " + std::to_string(plot.rows.size()) + " inventories");
+  if (check_decisions_kept((folder / "project.gpkg").string(), session.console) != ExitCode::done) {
+    AlignRun kept;
+    kept.code = ExitCode::failed;
+    kept.problem = "its project holds edits made by hand and was left as it is: move the folder away to align anew";
+    return {summary_line(plot, kept.code, kept), csv_cell(plot.plot) + ",\n"};
+  }
   std::error_code code;
   fs::remove_all(folder, code);
   fs::create_directories(folder, code);

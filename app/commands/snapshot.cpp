@@ -38,6 +38,10 @@ ExitCode run_snapshot(const SnapshotOptions& options, Session& session) {
     session.console.error("--size: between 64x64 and 16384x16384");
     return ExitCode::usage;
   }
+  if (!options.output.ends_with(".png") && !options.output.ends_with(".PNG")) {
+    session.console.error("-o " + options.output + ": a snapshot is a PNG picture; give it a name that ends in .png");
+    return ExitCode::usage;
+  }
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
   const std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;

@@ -3,6 +3,7 @@
 #include "app/align_job.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
+#include "core/survey/unit_doubt.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise {
@@ -54,6 +55,9 @@ JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome o
   const std::vector<std::string> notes = outcome.alignment.notes;
   m.execute(apply_outcome(std::move(outcome)));
   tell_refusals(m);
+  Issues doubts;
+  for (const std::string& doubt : unit_doubts(m.document.state())) doubts.push_back(Issue{Severity::warning, "", 0, "", doubt, "Remove that survey and add it again with its unit (Import with options)."});
+  m.notices.add_issues("Diameters that do not fit each other", doubts);
   Issues remarks;
   for (const std::string& note : notes) remarks.push_back(Issue{Severity::note, "", 0, "", note, ""});
   if (!remarks.empty()) m.notices.add(Severity::note, "How the surveys were aligned", remarks);

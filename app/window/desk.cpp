@@ -80,14 +80,21 @@ Desk::~Desk() {
 void Desk::open_given(const std::vector<std::string>& paths) {
   if (paths.size() == 1 && is_project(paths.front())) {
     open_project(*model_, paths.front());
+    offer_recovery(paths.front());
   } else {
     add_inventories(*model_, paths);
   }
 }
 
-void Desk::offer_recovery() {
+void Desk::offer_recovery(const std::string& of) {
   if (model_->autosave_folder.empty()) return;
-  const std::vector<std::string> files = orphaned_autosaves(model_->autosave_folder);
+  std::vector<std::string> files = orphaned_autosaves(model_->autosave_folder);
+  if (!of.empty()) {
+    std::erase_if(files, [&](const std::string& file) {
+      std::error_code code;
+      return !std::filesystem::equivalent(autosave_origin(file).path, of, code) || code;
+    });
+  }
   if (files.empty()) return;
   const AutosaveOrigin origin = autosave_origin(files.front());
   model_->recovered_file = files.front();

@@ -105,7 +105,9 @@ void new_project(WindowModel& m) {
   m.view.step = ui::Step::inventories;
 }
 
-void open_project(WindowModel& m, const std::string& path) {
+void open_project(WindowModel& m, const std::string& given) {
+  std::error_code code;
+  const std::string path = std::filesystem::absolute(given, code).lexically_normal().string();  // recent files and recovery outlive the current folder
   remember_folder(m, path);
   m.jobs.start<Result<ProjectState>>(
       "Open " + file_name(path), JobLane::person,

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "app/exit_code.hpp"
 #include "app/platform/folders.hpp"
@@ -31,6 +33,7 @@ class GlfwWindow {
   GlfwWindow(int width, int height, bool maximised) {
     glfwSetErrorCallback(say_glfw_error);
     if (!glfwInit()) return;
+    fit_to_screen(width, height);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);  // without FORWARD_COMPAT: VTK draws wide lines
@@ -66,16 +69,59 @@ class GlfwWindow {
   }
 
  private:
+  static void fit_to_screen(int& width, int& height) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return;
+    int x = 0, y = 0, most_wide = 0, most_high = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &most_wide, &most_high);
+    if (most_wide > 0) width = std::min(width, most_wide);
+    if (most_high > 0) height = std::min(height, most_high);
+  }
+
   GLFWwindow* handle_ = nullptr;
 };
 
+/// Dear ImGui 1.86 looks at keys once a frame: one struck and let go between two frames would never have been down. So
+/// letting go waits for the frame after.
+class KeyQueue {
+ public:
+  void add(int key, int scancode, int action, int mods) { waiting_.push_back({key, scancode, action, mods}); }
+  bool is_empty() const { return waiting_.empty(); }
+  void deliver(GLFWwindow* window) {
+    std::set<int> struck;
+    while (!waiting_.empty()) {
+      const Event event = waiting_.front();
+      if (event.action == GLFW_RELEASE && struck.contains(event.key)) return;
+      if (event.action == GLFW_PRESS) struck.insert(event.key);
+      ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
+      waiting_.pop_front();
+    }
+  }
+
+ private:
+  struct Event {
+    int key, scancode, action, mods;
+  };
+  std::deque<Event> waiting_;
+};
+
+/// What the window's callbacks reach.
+struct WindowEvents {
+  Desk& desk;
+  KeyQueue keys;
+};
+
+WindowEvents& events_of(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) { events_of(window).keys.add(key, scancode, action, mods); }
+
 void on_drop(GLFWwindow* window, int count, const char** paths) {
-  static_cast<Desk*>(glfwGetWindowUserPointer(window))->drop({paths, paths + count});
+  events_of(window).desk.drop({paths, paths + count});
 }
 
 void on_close(GLFWwindow* window) {
   glfwSetWindowShouldClose(window, GLFW_FALSE);
-  static_cast<Desk*>(glfwGetWindowUserPointer(window))->ask_to_close();
+  events_of(window).desk.ask_to_close();
 }
 
 void draw_frame(const GlfwWindow& window, Desk& desk, double elapsed_s) {
@@ -116,7 +162,7 @@ bool wait_for_event(double wait_s, const std::atomic<bool>& interrupted) {
   return false;
 }
 
-void loop(const GlfwWindow& window, Desk& desk, const WindowOptions& options, const std::atomic<bool>& interrupted) {
+void loop(const GlfwWindow& window, Desk& desk, KeyQueue& keys, const WindowOptions& options, const std::atomic<bool>& interrupted) {
   double last = glfwGetTime();
   int frames_after_event = 3;
   std::string registry, title;
@@ -126,7 +172,8 @@ void loop(const GlfwWindow& window, Desk& desk, const WindowOptions& options, co
     if (wait <= 0.0) glfwPollEvents();
     const bool event = wait_for_event(wait, interrupted);
     if (interrupted) break;
-    frames_after_event = event ? 3 : std::max(0, frames_after_event - 1);
+    frames_after_event = event || !keys.is_empty() ? 3 : std::max(0, frames_after_event - 1);
+    keys.deliver(window.handle());
     const double now = glfwGetTime();
     draw_frame(window, desk, now - last);
     last = now;
@@ -146,10 +193,12 @@ int run_on_display(const WindowOptions& options, const std::atomic<bool>& interr
   }
   Desk desk({options.paths, config});
   desk.model().jobs.on_news([] { glfwPostEmptyEvent(); });
-  glfwSetWindowUserPointer(window.handle(), &desk);
+  WindowEvents events{desk, {}};
+  glfwSetWindowUserPointer(window.handle(), &events);
+  glfwSetKeyCallback(window.handle(), on_key);  // in the place of ImGui's, which it calls
   glfwSetDropCallback(window.handle(), on_drop);
   glfwSetWindowCloseCallback(window.handle(), on_close);
-  loop(window, desk, options, interrupted);
+  loop(window, desk, events.keys, options, interrupted);
   if (interrupted) desk.keep_unsaved_work();
   int width = 0, height = 0;
   glfwGetWindowSize(window.handle(), &width, &height);

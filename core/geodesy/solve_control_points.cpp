@@ -207,6 +207,9 @@ Result<ControlReport> solve_control_points(const std::vector<ControlPoint>& poin
   Fitter fitter;
   if (settings.translation_only) fitter.fixed_yaw_rad.emplace(-radians(settings.azimuth_deg));
   const Indices used = consensus(pairs, settings, fitter.fixed_yaw_rad);
+  if (used.size() < pairs.size() && (used.size() < 3 || 2 * used.size() <= pairs.size()))  // any two points agree with each other
+    return Result<ControlReport>::failure(error("only " + std::to_string(used.size()) + " of " + std::to_string(pairs.size()) + " control points agree, so none of them can be trusted",
+                                                "are latitude and longitude, or x and y, the wrong way round, or ids mixed up?"));
   const Pairs kept = chosen(pairs, used);
   const EarthFit level = fitter(kept);
   const bool may_tilt = !settings.translation_only && settings.level != LevelChoice::level && can_tilt(kept);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <map>
 #include <numbers>
 
@@ -150,15 +151,20 @@ ReportGrowth growth_of(const Tables& tables, const GrowthRow& row, const std::ma
 bool is_new(Fate fate) { return fate == Fate::ingrowth || fate == Fate::missed_earlier; }
 bool is_gone(Fate fate) { return fate == Fate::missing || fate == Fate::dead || fate == Fate::removed; }
 
-/// New: the survey before looked there and had it not. Gone: the next survey looked there and has it not.
+/// New: the survey before looked there and had it not. Gone: it lived, the next survey looked there and has it not (who was
+/// found dead there is no missing stem).
 void list_new_and_missing(const ProjectState& state, const Tables& tables, ReportModel& model) {
   const auto index = survey_index(model);
+  std::set<std::pair<TreeId, std::size_t>> seen;
+  for (const ObservationRow& row : tables.observations)
+    if (const auto found = index.find(row.stem.inventory); found != index.end()) seen.emplace(row.tree, found->second);
   for (const ObservationRow& row : tables.observations) {
     const auto found = index.find(row.stem.inventory);
     if (found == index.end()) continue;
     const Stem* stem = state.find(row.stem);
     ReportStem entry{row.tree, row.stem, row.position_m, row.dbh_m, stem == nullptr ? "" : stem->species, row.fate, found->second};
-    if (is_gone(row.fate) && found->second + 1 < model.placed) model.missing_stems.push_back(entry);
+    const bool lived = stem != nullptr && stem->status != StemStatus::dead;
+    if (lived && is_gone(row.fate) && found->second + 1 < model.placed && !seen.contains({row.tree, found->second + 1})) model.missing_stems.push_back(entry);
     if (!row.arrival || !is_new(*row.arrival)) continue;
     entry.fate = *row.arrival;
     model.new_stems.push_back(entry);

@@ -132,6 +132,9 @@ void InventoriesPanel::draw_fates(Widgets& w, Frame& frame) {
     const int count = frame.derived.last_step_fates[i];
     if (count > 0 || (fate != Fate::dead && fate != Fate::removed)) draw_fate(w, frame, fate, count);
   }
+  if (frame.derived.dead_before > 0) {
+    w.fact("fates/dead_before", "Dead by " + from, count_text(frame.derived.dead_before), "Recorded as dead in " + from + " or before: nothing became of them since.");
+  }
   if (frame.derived.seen_before_only > 0) {
     w.fact("fates/seen_before", "Last seen before " + from, count_text(frame.derived.seen_before_only), "Seen in neither " + from + " nor " + to + ".");
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "core/project/assign_trees.hpp"
 #include "core/project/commands.hpp"
@@ -31,6 +32,16 @@ void forget_stems_of(ProjectState& state, InventoryId id) {
   if (state.trees.empty()) state.next_tree = 1;
   const auto coverage = state.coverages.find(id);
   if (coverage != state.coverages.end() && coverage->second.source != CoverageSource::drawn) state.coverages.erase(coverage);
+}
+
+bool is_spoken_of(const ProjectState& state) {
+  return std::any_of(state.trees.begin(), state.trees.end(), [](const auto& entry) { return entry.second.fate_by_hand || !entry.second.note.empty(); });
+}
+
+void begin_ids_again(ProjectState& state) {
+  state.trees.clear();
+  state.tree_of_stem.clear();
+  state.next_tree = 1;
 }
 
 /// Most trees, the first of equals.
@@ -68,7 +79,10 @@ CommandPtr add_inventory(Inventory inventory) {
     added->id = InventoryId{state.next_inventory++};
     added->name = free_name(state, added->name);
     state.inventories.push_back(std::move(added));
-    if (state.alignments.empty() && state.matches.empty()) state.reference = default_reference(state);
+    if (state.alignments.empty() && state.matches.empty()) {
+      const InventoryId before = std::exchange(state.reference, default_reference(state));
+      if (before != state.reference && !is_spoken_of(state)) begin_ids_again(state);
+    }
     assign_trees(state);
   });
 }
