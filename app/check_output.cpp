@@ -47,7 +47,7 @@ ExitCode check_decisions_kept(const std::string& project, Console& console) {
   const Result<ProjectState> there = read_project(project);
   if (!there || there->edit_log.empty()) return ExitCode::done;
   console.error(project + ": this project holds " + std::to_string(there->edit_log.size()) +
-                " edits made by hand, which a new run would not know; read it too (stemwise align " + project + " ... -o " + project + "), move it away, or choose another name");
+                " edits made by hand, which a new run would not know; add surveys to it (stemwise align " + project + " NEW -o " + project + "), move it away, or choose another name");
   return ExitCode::usage;
 }
 

@@ -147,11 +147,12 @@ class StateReader {
     }
   }
 
-  /// What no survey has: a number that a person or a broken disk put there. Segment and grid sizes follow from coordinates.
+  /// What no reader lets in: a number that another program or a broken disk put there. Far beyond anything measured, so that
+  /// whatever was written can be read.
   static void check_stem(const Stem& s, const std::string& inventory) {
-    constexpr double largest_m = 1e8, largest_dbh_m = 50.0;
+    constexpr double largest_m = 1e12, largest_dbh_m = 1e3;
     const auto place = [&](double v) { return std::isfinite(v) && std::abs(v) <= largest_m; };
-    const auto diameter = [&](const std::optional<double>& v) { return !v || (*v > 0.0 && *v <= largest_dbh_m); };
+    const auto diameter = [&](const std::optional<double>& v) { return !v || (*v >= 0.0 && *v <= largest_dbh_m); };
     if (!place(s.x_m) || !place(s.y_m) || !place(s.z_m.value_or(0.0))) damaged("stem " + s.source_id + " of " + inventory + " lies off the earth");
     if (!diameter(s.dbh_m) || !diameter(s.dbh_approximation_m)) damaged("stem " + s.source_id + " of " + inventory + " has an impossible diameter");
   }

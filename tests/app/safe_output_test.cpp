@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/project/commands.hpp"
+#include "core/project/project.hpp"
+#include "io/project_file.hpp"
 #include "tests/app/run_program.hpp"
 
 namespace stemwise::testing {
@@ -47,6 +50,48 @@ TEST_F(SafeOutput, NothingIsWrittenOverWhatIsReadOrOverAProject) {
 }
 
 TEST_F(SafeOutput, AProjectMayBeWrittenAgain) { EXPECT_EQ(run_stemwise({"align", first_, second_, "-o", project_}).code, 0); }
+
+TEST_F(SafeOutput, AResultIsNeverWrittenOverAnythingButAResult) {
+  const std::string survey = text_of(first_), project = text_of(project_);
+  const std::vector<std::vector<std::string>> harmful{{"info", first_, "--json", first_},
+                                                      {"align", first_, second_, "-o", folder_ / "more.gpkg", "--json", first_},
+                                                      {"export", project_, "-o", folder_ / "trees.csv", "--json", project_},
+                                                      {"georeference", project_, "--anchor", "48.77214,9.16621,412.5,37", "--json", project_}};
+  for (const auto& arguments : harmful) {
+    const ProgramRun run = run_stemwise(arguments);
+    EXPECT_EQ(run.code, 2) << arguments.front() << ": " << run.err;
+    EXPECT_THAT(run.err, HasSubstr("--json"));
+  }
+  EXPECT_EQ(text_of(first_), survey);
+  EXPECT_EQ(text_of(project_), project);
+  EXPECT_EQ(run_stemwise({"info", first_, "-q", "--json", folder_ / "align.json"}).code, 0);
+  EXPECT_EQ(run_stemwise({"align", first_, second_, "-q", "-o", folder_ / "both.gpkg", "--json", folder_ / "both.gpkg"}).code, 2);
+}
+
+TEST_F(SafeOutput, WhatAPersonEditedIsNotAlignedAway) {
+  Result<ProjectState> read = read_project(project_);
+  ASSERT_TRUE(read);
+  Project edited(*read);
+  edited.execute(set_tree_note(edited.state().trees.begin()->first, "the old oak", {"me", "2026-11-22T08:00:00Z", ""}));
+  if (edited.state().edit_log.empty()) edited.execute(set_fate(edited.state().trees.begin()->first, Fate::dead, {"me", "2026-11-22T08:00:00Z", ""}));
+  ASSERT_TRUE(write_project(edited.state(), project_));
+  const std::string before = text_of(project_);
+  const ProgramRun run = run_stemwise({"align", first_, second_, "-o", project_});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("edits made by hand"));
+  EXPECT_EQ(text_of(project_), before);
+  fs::copy_file(second_, folder_ / "2024.csv");
+  EXPECT_EQ(run_stemwise({"align", project_, folder_ / "2024.csv", "-o", project_}).code, 0);
+  EXPECT_FALSE(read_project(project_)->edit_log.empty());
+
+  const std::string manifest = folder_.file("plots.csv", "plot,path\nA," + first_ + "\nA," + second_ + "\n");
+  ASSERT_EQ(run_stemwise({"batch", manifest, "-o", folder_ / "out"}).code, 0);
+  fs::copy_file(project_, folder_ / "out/A/project.gpkg", fs::copy_options::overwrite_existing);
+  const std::string kept = text_of(folder_ / "out/A/project.gpkg");
+  run_stemwise({"batch", manifest, "-o", folder_ / "out", "--seed", "5"});
+  EXPECT_EQ(text_of(folder_ / "out/A/project.gpkg"), kept);
+  EXPECT_THAT(text_of(folder_ / "out/summary.csv"), HasSubstr("was left as it is"));
+}
 
 TEST_F(SafeOutput, EveryCommandWritesItsJson) {
   const std::vector<std::vector<std::string>> commands{{"merge", project_, "--policy", "newest"},

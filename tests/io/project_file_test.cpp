@@ -117,6 +117,27 @@ TEST_F(ProjectFileTest, ATruncatedFileIsRefusedAndLeftAsItIs) {
   }
 }
 
+TEST_F(ProjectFileTest, AStemThatLiesOffTheEarthIsDamage) {
+  ProjectState state = sample_project();
+  Inventory first = *state.inventories.front();
+  first.stems.front().x_m = 1e300;
+  state.inventories.front() = std::make_shared<const Inventory>(first);
+  ASSERT_TRUE(write_project(state, path("p.gpkg")));
+  const auto read = read_project(path("p.gpkg"));
+  ASSERT_FALSE(read);
+  EXPECT_NE(to_string(read.issues.front()).find("off the earth"), std::string::npos) << to_string(read.issues.front());
+}
+
+TEST_F(ProjectFileTest, ALinkStaysALinkAndTheFileItNamesIsWritten) {
+  ASSERT_TRUE(write_project(ProjectState{}, path("p.gpkg")));
+  fs::create_symlink("p.gpkg", path("link.gpkg"));
+  ASSERT_TRUE(write_project(sample_project(), path("link.gpkg")));
+  EXPECT_TRUE(fs::is_symlink(path("link.gpkg")));
+  const auto read = read_project(path("p.gpkg"));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, sample_project());
+}
+
 TEST_F(ProjectFileTest, AFolderThatCannotBeWrittenLeavesNothingBehind) {
   EXPECT_FALSE(write_project(sample_project(), path("no/such/folder/p.gpkg")));
   fs::create_directories(path("taken.gpkg"));

@@ -112,6 +112,39 @@ TEST_F(WindowTest, UnsavedWorkSurvivesACrash) {
   EXPECT_TRUE(model().document.is_dirty());
 }
 
+TEST_F(WindowTest, UnsavedWorkOfAProjectIsOfferedWhenThatProjectIsOpened) {
+  open_surveys();
+  const std::string path = (folder_ / "stand.gpkg").string();
+  window().desk().model().document.set_path(path);
+  window().press(ui::ActionId::file_save);
+  window().settle();
+  model().execute(set_title("changed since"));
+  window().settle();
+  const ProjectState before = state();
+  const fs::path kept = folder_ / "config" / "autosave";
+  ASSERT_FALSE(fs::is_empty(kept));
+  fs::copy(kept, folder_ / "copy");
+  window_.reset();
+  fs::create_directories(folder_ / "config2");
+  fs::copy(folder_ / "copy", folder_ / "config2" / "autosave");
+  for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
+    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": ")" << path << R"(", "title": "Stand", "time": "", "process": 2147483000})";
+  }
+  const fs::path here = fs::current_path();
+  fs::current_path(folder_);
+  auto again = HeadlessWindow::create({.desk = {.paths = {"stand.gpkg"}, .config_folder = (folder_ / "config2").string()}});
+  ASSERT_TRUE(again);
+  window_ = std::move(*again);
+  fs::current_path(here);
+  window().settle();
+  EXPECT_EQ(model().document.path(), path);
+  ASSERT_TRUE(window().click("recover/yes"));
+  window().settle();
+  EXPECT_EQ(state(), before);
+  EXPECT_TRUE(model().document.is_dirty());
+  EXPECT_EQ(model().document.path(), path);
+}
+
 TEST_F(WindowTest, PanelsDoNotOverlapAtTheSmallestSize) {
   window().desk().drop({});
   ASSERT_TRUE(window().click("empty/demo"));

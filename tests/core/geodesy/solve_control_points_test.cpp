@@ -37,6 +37,16 @@ TEST(SolveControlPoints, LeavesOutAPointThatContradictsTheOthersAndNamesIt) {
   EXPECT_LT(solved->rms_m, 0.01);
 }
 
+TEST(SolveControlPoints, RefusesWhenNoMajorityAgrees) {
+  auto mixed_up = exact_points(5);
+  mixed_up[0].in_reference_m.x() += 30.0;
+  mixed_up[2].in_reference_m.y() += 45.0;
+  mixed_up[4].in_reference_m.x() -= 60.0;
+  const auto solved = solve_control_points(mixed_up, {});
+  ASSERT_FALSE(solved);
+  EXPECT_NE(solved.issues.front().text.find("of 5 control points agree"), std::string::npos) << solved.issues.front().text;
+}
+
 TEST(SolveControlPoints, LosesNothingWhenTheFrameHasUtmSizedCoordinates) {
   const Eigen::Vector3d offset(512'000.0, 5'402'000.0, 0.0);
   const auto solved = solve_control_points(exact_points(5, offset), {});

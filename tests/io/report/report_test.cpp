@@ -1,5 +1,7 @@
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
+
+#include <set>
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
@@ -96,6 +98,25 @@ fs::path output_folder() {
   const fs::path folder = kept != nullptr ? fs::path(kept) : fs::temp_directory_path() / ("stemwise_report_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   return folder;
+}
+
+TEST(Report, WhoWasDeadOrIsFoundDeadIsNoMissingStem) {
+  ProjectState state = three_surveys();
+  const int before = model_of(state).growth[1].missing_stems;
+  const InventoryId second = state.by_date()[1], third = state.by_date()[2];
+  Inventory earlier = *state.find(second), later = *state.find(third);
+  std::set<TreeId> seen_later;
+  for (std::size_t i = 0; i < later.stems.size(); ++i) seen_later.insert(state.tree_of({third, static_cast<std::int64_t>(i)}));
+  int dead = 0;
+  for (std::size_t i = 0; i < earlier.stems.size(); ++i)
+    if (!seen_later.contains(state.tree_of({second, static_cast<std::int64_t>(i)}))) earlier.stems[i].status = StemStatus::dead, ++dead;
+  ASSERT_GE(dead, before);
+  later.stems.front().status = StemStatus::dead;
+  for (auto& inventory : state.inventories) {
+    if (inventory->id == second) inventory = std::make_shared<const Inventory>(earlier);
+    if (inventory->id == third) inventory = std::make_shared<const Inventory>(later);
+  }
+  EXPECT_EQ(model_of(state).growth[1].missing_stems, 0);
 }
 
 TEST(Report, CountsNewAndMissingStemsOfEveryStep) {
