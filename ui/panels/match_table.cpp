@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "ui/panels/table_view.hpp"
 #include "ui/text/format.hpp"
@@ -15,6 +16,14 @@ const std::vector<Column>& columns() {
   static const std::vector<Column> all{{"Tree", 0.9f},           {"Earlier stem", 1.3f},   {"Later stem", 1.3f},     {"Distance, m", 1.1f, true},
                                        {"cm before", 1.0f, true}, {"cm after", 0.9f, true}, {"Change, cm", 1.1f, true}, {"cm / year", 1.0f, true},
                                        {"Class", 1.1f},           {"Confidence", 1.2f, true, true}, {"State", 1.0f}};
+  return all;
+}
+
+/// Of a narrow window only those columns that leave room to read which stems are meant.
+std::vector<std::size_t> columns_that_fit(Widgets& w) {
+  if (w.available_width() < w.px(820)) return {0, 1, 2, 3, 4, 5, 6, 9};
+  std::vector<std::size_t> all(columns().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   return all;
 }
 
@@ -101,15 +110,16 @@ void MatchTable::draw(Widgets& w, Frame& frame) {
   }
   TableView table;
   table.path = "matches";
-  table.columns = columns();
+  const std::vector<std::size_t> shown = columns_that_fit(w);
+  for (const std::size_t column : shown) table.columns.push_back(columns()[column]);
   table.rows = rows_.size();
-  table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame.state(), all[rows_[row]], column); };
+  table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame.state(), all[rows_[row]], shown[column]); };
   table.selected = [&](std::size_t row) { return all[rows_[row]].tree == frame.view.selected_tree; };
   table.clicked = [&](std::size_t row) {
     frame.requests.emit(request::SelectTree{all[rows_[row]].tree, true, all[rows_[row]].b});
   };
   table.sorted = [&](std::size_t column, bool ascending) {
-    wanted_.column = column;
+    wanted_.column = shown[column];
     wanted_.ascending = ascending;
   };
   table.empty_text = all.empty() ? "Matches appear here when surveys are aligned." : "No match fits the filter.";
