@@ -2,7 +2,7 @@
 # Makes the window's pictures of README and guide, without a display: tools/guide_pictures.sh [WIDTHxHEIGHT] [light|dark]
 set -euo pipefail
 cd "$(dirname "$0")/.."
-size=${1:-1600x1000}
+size=${1:-1280x720}
 theme=${2:-light}
 stemwise=build/release/bin/stemwise
 out=docs/guide/$theme-$size
