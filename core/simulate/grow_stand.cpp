@@ -67,7 +67,7 @@ std::vector<TrueTree> natural_stand(const SimulateSettings& s, double side_m, co
   Neighbours neighbours(4.0);
   std::vector<TrueTree> trees;
   for (const double d : dbh_cm) {
-    double x = 0.0, y = 0.0, ease = 1.0;
+    double x = 0.0, y = 0.0, ease = 1.0, dbh = d;
     for (int attempt = 0; attempt < 400; ++attempt, ease *= attempt % 20 == 19 ? 0.85 : 1.0) {
       x = random.uniform(0.0, side_m), y = random.uniform(0.0, side_m);
       if (random.uniform() > std::exp(0.7 * (clumps.height_m(x, y) - 1.0))) continue;
@@ -77,9 +77,10 @@ std::vector<TrueTree> natural_stand(const SimulateSettings& s, double side_m, co
     if (!trees.empty() && random.uniform() < 0.03) {  // a second stem of the tree before it, at one spot
       const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
       x = trees.back().x_m + 0.25 * std::cos(angle), y = trees.back().y_m + 0.25 * std::sin(angle);
+      dbh = std::max(s.smallest_dbh_cm, d * random.uniform(0.3, 1.0));  // SCBI-ForestGEO 2013: deciles .30, .41, ... .87, .93
     }
     neighbours.add(trees.size(), x, y);
-    trees.push_back(tree_at(x, y, d, &terrain, random));
+    trees.push_back(tree_at(x, y, dbh, &terrain, random));
   }
   return trees;
 }

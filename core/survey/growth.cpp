@@ -4,20 +4,9 @@
 #include <cmath>
 
 #include "core/base/quantile.hpp"
+#include "core/survey/median_interval.hpp"
 
 namespace stemwise {
-namespace {
-
-/// Ranks of the order statistics that hold the median with 95 %: n/2 -+ 0.98 sqrt(n) (normal approximation of the binomial).
-std::array<double, 2> median_interval(const std::vector<double>& sorted) {
-  const auto n = static_cast<double>(sorted.size());
-  const double reach = 0.98 * std::sqrt(n);
-  const auto low = static_cast<std::size_t>(std::max(0.0, std::floor(0.5 * n - reach)));
-  const auto high = static_cast<std::size_t>(std::min(n - 1.0, std::ceil(0.5 * n + reach)));
-  return {sorted[low], sorted[high]};
-}
-
-}  // namespace
 
 GrowthRow growth_between(InventoryId from, InventoryId to, std::optional<double> years, const std::vector<DbhPair>& pairs) {
   GrowthRow row;
@@ -31,9 +20,9 @@ GrowthRow growth_between(InventoryId from, InventoryId to, std::optional<double>
   }
   row.years = spans.empty() ? years : std::optional(median(spans));
   if (changes.empty()) return row;
+  row.ci95_m = median_interval(changes);
   std::sort(changes.begin(), changes.end());
   row.median_change_m = quantile_of_sorted(changes, 0.5);
-  row.ci95_m = median_interval(changes);
   row.p20_p80_m = {quantile_of_sorted(changes, 0.2), quantile_of_sorted(changes, 0.8)};
   row.dbh_error_m = dbh_error_from_changes_m(changes);
   return row;

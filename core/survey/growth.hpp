@@ -14,8 +14,8 @@ struct DbhPair {
   std::optional<double> years;
 };
 
-/// Figures of one pair of surveys (method.md 9, "temporal analysis"): the median with the 95 % interval of its order
-/// statistics, the 20-80 % band, and one measurement's error. `pairs` may be empty: then only n = 0 says something.
+/// Figures of one pair of surveys (method.md 9, "temporal analysis"): the median with its 95 % interval
+/// (median_interval), the 20-80 % band, and one measurement's error. `pairs` may be empty: then only n = 0 says something.
 GrowthRow growth_between(InventoryId from, InventoryId to, std::optional<double> years, const std::vector<DbhPair>& pairs);
 
 /// One measurement's DBH error (standard deviation, m) from the changes of matched stems: trees do not shrink by much, so

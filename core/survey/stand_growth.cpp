@@ -6,6 +6,7 @@
 
 #include "core/base/quantile.hpp"
 #include "core/base/random.hpp"
+#include "core/survey/median_interval.hpp"
 
 namespace stemwise {
 namespace {
@@ -30,35 +31,10 @@ std::array<double, 2> corrected_percentiles(std::vector<double> replicates, doub
   return {quantile_of_sorted(replicates, normal_cdf(2.0 * bias - normal_95)), quantile_of_sorted(replicates, normal_cdf(2.0 * bias + normal_95))};
 }
 
-template <class Statistic>
-Estimate bootstrap(const std::vector<double>& values, const StandGrowthSettings& settings, std::uint64_t stream, Statistic statistic) {
-  Estimate estimate;
-  if (values.empty()) return estimate;
-  std::vector<double> sample = values;
-  estimate.value = statistic(sample);
-  estimate.ci95 = {estimate.value, estimate.value};
-  if (values.size() < 2) return estimate;
-  Random random(settings.seed, stream);
-  std::vector<double> replicates;
-  for (int r = 0; r < std::max(200, settings.resamples); ++r) {
-    for (double& v : sample) v = values[random.below(values.size())];
-    replicates.push_back(statistic(sample));
-  }
-  estimate.ci95 = corrected_percentiles(std::move(replicates), estimate.value);
-  return estimate;
-}
-
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double v : values) sum += v;
   return sum / static_cast<double>(values.size());
-}
-
-/// Reorders its argument.
-double median_in_place(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 struct Changes {
@@ -94,11 +70,20 @@ double dbh_error_of(const Tables& tables, InventoryId id) {
 double detection_limit_m(double error_a_m, double error_b_m) { return normal_95 * std::hypot(error_a_m, error_b_m); }
 
 Estimate bootstrap_mean(const std::vector<double>& values, const StandGrowthSettings& settings) {
-  return bootstrap(values, settings, 1, [](std::vector<double>& sample) { return mean_of(sample); });
-}
-
-Estimate bootstrap_median(const std::vector<double>& values, const StandGrowthSettings& settings) {
-  return bootstrap(values, settings, 2, [](std::vector<double>& sample) { return median_in_place(sample); });
+  Estimate estimate;
+  if (values.empty()) return estimate;
+  std::vector<double> sample = values;
+  estimate.value = mean_of(sample);
+  estimate.ci95 = {estimate.value, estimate.value};
+  if (values.size() < 2) return estimate;
+  Random random(settings.seed, 1);
+  std::vector<double> replicates;
+  for (int r = 0; r < std::max(200, settings.resamples); ++r) {
+    for (double& v : sample) v = values[random.below(values.size())];
+    replicates.push_back(mean_of(sample));
+  }
+  estimate.ci95 = corrected_percentiles(std::move(replicates), estimate.value);
+  return estimate;
 }
 
 Estimate huber_location(const std::vector<double>& values) {
@@ -141,7 +126,7 @@ std::vector<StandGrowth> stand_growth(const ProjectState& state, const Tables& t
     if (!steps[i].years.empty()) row.years = median(steps[i].years);
     row.mean_m = bootstrap_mean(steps[i].change_m, settings);
     row.mean_m_per_year = bootstrap_mean(steps[i].per_year_m, settings);
-    row.median_m = bootstrap_median(steps[i].change_m, settings);
+    row.median_m = {median(steps[i].change_m), median_interval(steps[i].change_m)};
     row.robust_m = huber_location(steps[i].change_m);
     if (row.n > 0) {
       std::vector<double> sorted = steps[i].change_m;

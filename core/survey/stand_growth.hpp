@@ -22,7 +22,7 @@ struct StandGrowth {
   int n = 0;
   Estimate mean_m;                          ///< bootstrap (bias-corrected percentile, Efron 1987)
   Estimate mean_m_per_year;                 ///< each stem by its own years; both 0 without years
-  Estimate median_m;                        ///< bootstrap
+  Estimate median_m;                        ///< its interval: median_interval
   Estimate robust_m;                        ///< Huber's M-estimate of location (k = 1.5), its sandwich standard error
   std::array<double, 2> p20_p80_m{};
   double dbh_error_from_m = 0.0, dbh_error_to_m = 0.0;  ///< one measurement's standard deviation in each survey
@@ -43,7 +43,6 @@ double detection_limit_m(double error_a_m, double error_b_m);
 
 /// Mean with its bias-corrected bootstrap interval. `values` in any order; fewer than 2: no width.
 Estimate bootstrap_mean(const std::vector<double>& values, const StandGrowthSettings& settings);
-Estimate bootstrap_median(const std::vector<double>& values, const StandGrowthSettings& settings);
 /// Huber's location: gross errors (wrong matches, misread tapes) count little.
 Estimate huber_location(const std::vector<double>& values);
 

@@ -71,7 +71,7 @@ struct GrowthRow {
   std::optional<double> years;
   int n = 0;
   double median_change_m = 0.0;
-  std::array<double, 2> ci95_m{};      ///< of the median (order statistics)
+  std::array<double, 2> ci95_m{};      ///< of the true median (median_interval)
   std::array<double, 2> p20_p80_m{};   ///< method.md 9, "temporal analysis"
   double dbh_error_m = 0.0;            ///< one measurement's error, robust, from the matched stems
 };

@@ -142,8 +142,8 @@ ReportSection interval_section(const ReportModel& model) {
                           g.years ? fixed(g.mean_m_per_year.value * 1000.0, 1) : "", g.years ? interval(g.mean_m_per_year, 1000.0, 1) : "", fixed(g.median_m.value * 100.0, 2),
                           interval(g.median_m, 100.0, 2), fixed(g.robust_m.value * 100.0, 2), interval(g.robust_m, 100.0, 2), fixed(g.detection_limit_m * 100.0, 1)});
   }
-  table.note = "DBH change of matched living stems. Mean and median: bias-corrected bootstrap; robust: Huber's estimate, in which gross errors count little. Errors of measurement leave the mean "
-               "where it is, and draw the median of a skewed stand towards it. One tree shows: a change of one tree below this may be error of measurement alone.";
+  table.note = "DBH change of matched living stems. Mean: bias-corrected bootstrap; robust: Huber's estimate, in which gross errors count little. Errors of measurement leave the mean "
+               "where it is, and draw the median of a skewed stand towards it: the median's interval allows for that. One tree shows: a change of one tree below this may be error of measurement alone.";
   section.blocks.emplace_back(std::move(table));
   if (!model.growth_groups.by_species.empty())
     section.blocks.emplace_back(growth_group_table(model, model.growth_groups.by_species, "Growth by species", "Species"));

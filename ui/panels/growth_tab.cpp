@@ -51,7 +51,7 @@ void GrowthTab::draw_figures(Widgets& w, const Frame& frame) {
     w.text(survey_label(frame.state(), g.from) + " to " + survey_label(frame.state(), g.to), TextRole::strong);
     w.fact(path + "/n", "Trees measured in both", count_text(g.n));
     w.fact(path + "/median", "Median DBH change", change_text(g.median_change_m) + " cm", "Half of the trees changed less, half more.");
-    w.fact(path + "/ci", "95 % interval", change_text(g.ci95_m[0]) + " to " + change_text(g.ci95_m[1]) + " cm", "Of the median, by order statistics.");
+    w.fact(path + "/ci", "95 % interval", change_text(g.ci95_m[0]) + " to " + change_text(g.ci95_m[1]) + " cm", "Of the true median: errors of measurement, which draw it towards the mean, are allowed for.");
     w.fact(path + "/band", "20–80 % band", change_text(g.p20_p80_m[0]) + " to " + change_text(g.p20_p80_m[1]) + " cm");
     w.fact(path + "/error", "DBH error", fixed(g.dbh_error_m * 100.0, 1) + " cm", "One measurement's error, robustly estimated from the matched stems.");
     if (g.years) w.fact(path + "/years", "Years between", fixed(*g.years, 2));
