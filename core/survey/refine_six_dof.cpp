@@ -78,7 +78,7 @@ double cauchy(double residual, double scale) { return 1.0 / (1.0 + (residual / s
 void solve_planar(const Problem& problem, const SixDofSettings& settings, CentredPose& pose) {
   std::vector<double> distances;
   for (const Centred& c : problem.pairs) distances.push_back((pose(c.query) - c.reference).head<2>().norm());
-  const double scale = std::max(settings.planar_floor_m, 1.5 * median(distances));
+  const double scale = std::max(settings.planar_floor_m, 2.5 * median(distances));
   double total = 0.0;
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();
   std::vector<double> weights;

@@ -28,8 +28,8 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) {
 class Equations {
 public:
   explicit Equations(double nominal_scale) : nominal_(nominal_scale) {}
-  void add(const Row& row, double residual) {
-    const double weight = cauchy(residual * residual, nominal_);
+  void add(const Row& row, double residual, double trust = 1.0) {
+    const double weight = trust * cauchy(residual * residual, nominal_);
     normal_ += weight * row * row.transpose();
     sum_sq_ += weight * residual * residual;
     weights_ += weight;
@@ -109,13 +109,14 @@ PoseCovariance pair_covariance(const Scene& query, const Scene& candidate, std::
   }
   const bool level_sensor = settings.height_prior && query.level_sensor && candidate.level_sensor;
   const double bias_m = level_sensor ? median_of(steps_m) : 0.0;
-  for (const TreePair& p : pairs) {
-    const SceneTree &q = query.trees[p.query], &c = candidate.trees[p.candidate];
+  const std::vector<double> trusts = height_weights(query, candidate, pairs, settings);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const SceneTree &q = query.trees[pairs[i].query], &c = candidate.trees[pairs[i].candidate];
     const Eigen::Vector3d at = aligned * q.position_m, lever = at - aligned.translation_m, off = c.position_m - at;
     planar.add((Row() << 1.0, 0.0, 0.0, 0.0, 0.0, -lever.y(), 0.0).finished(), off.x());
     planar.add((Row() << 0.0, 1.0, 0.0, 0.0, 0.0, lever.x(), 0.0).finished(), off.y());
     if (q.has_height && c.has_height)
-      heights.add((Row() << 0.0, 0.0, 1.0, lever.y(), -lever.x(), 0.0, 1.0).finished(), off.z() - bias_m);
+      heights.add((Row() << 0.0, 0.0, 1.0, lever.y(), -lever.x(), 0.0, 1.0).finished(), off.z() - bias_m, trusts[i]);
     if (!q.has_axis() || !c.has_axis()) continue;
     const Eigen::Vector3d lean = c.axis - aligned.rotation * q.axis;
     axes.add((Row() << 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0).finished(), lean.x());

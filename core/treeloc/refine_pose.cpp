@@ -38,22 +38,24 @@ struct TiltEquations {
 struct TiltPair {
   Eigen::Vector4d height_row;  ///< (1, y, -x, 1) in the candidate's aligned frame
   double height_difference_m;
+  double height_weight;
   bool has_height, has_axes;
   Eigen::Vector2d axis_difference;
 };
 
 std::vector<TiltPair> tilt_pairs(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs,
-                                 const PlanarPose& pose) {
+                                 const PlanarPose& pose, const RefinePoseSettings& settings) {
   const RigidTransform lifted = pose.lifted();
+  const std::vector<double> weights = height_weights(query, candidate, pairs, settings);
   std::vector<TiltPair> out;
-  for (const TreePair& p : pairs) {
-    const SceneTree& q = query.trees[p.query];
-    const SceneTree& c = candidate.trees[p.candidate];
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const SceneTree& q = query.trees[pairs[i].query];
+    const SceneTree& c = candidate.trees[pairs[i].candidate];
     const Eigen::Vector3d at = lifted * q.position_m;
     const bool axes = q.has_axis() && c.has_axis();
     const Eigen::Vector3d difference = c.axis - lifted.rotation * q.axis;
     out.push_back(
-        {{1.0, at.y(), -at.x(), 1.0}, c.position_m.z() - at.z(), q.has_height && c.has_height, axes, difference.head<2>()});
+        {{1.0, at.y(), -at.x(), 1.0}, c.position_m.z() - at.z(), weights[i], q.has_height && c.has_height, axes, difference.head<2>()});
   }
   return out;
 }
@@ -95,7 +97,7 @@ Eigen::Vector4d solve_tilt(const std::vector<TiltPair>& pairs, double displaceme
     for (const TiltPair& p : pairs) {
       if (p.has_height) {
         const double r = p.height_difference_m - p.height_row.dot(solution);
-        equations.add(p.height_row, p.height_difference_m, cauchy(r * r, settings.height_scale_m) * height_weight);
+        equations.add(p.height_row, p.height_difference_m, cauchy(r * r, settings.height_scale_m) * height_weight * p.height_weight);
       }
       if (p.has_axes) {
         const Eigen::Vector2d r = p.axis_difference - Eigen::Vector2d(solution[2], -solution[1]);
@@ -118,6 +120,7 @@ Fields RefinePoseSettings::fields(const std::string& prefix) {
   return {
       {prefix + ".planar_scale_m", "m", "Planar residual at which a pair counts half", &planar_scale_m},
       {prefix + ".height_scale_m", "m", "Noise of base heights; a residual of this size counts half", &height_scale_m},
+      {prefix + ".few_clusters_share", "", "What the base height of a tree of one or two partial observations counts", &few_clusters_share},
       {prefix + ".axis_scale_deg", "deg", "Difference of two stem axes at which the pair counts half", &axis_scale_deg},
       {prefix + ".tilt_prior_deg", "deg", "How far axis alignment may leave a scene from upright", &tilt_prior_deg},
       {prefix + ".height_prior", "", "A carried sensor keeps its height above the ground", &height_prior},
@@ -127,13 +130,27 @@ Fields RefinePoseSettings::fields(const std::string& prefix) {
       {prefix + ".iterations", "", "Reweighted steps", &iterations}};
 }
 
+std::vector<double> height_weights(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs,
+                                   const RefinePoseSettings& settings) {
+  constexpr int several = 3;
+  const auto weight_of = [&](const SceneTree& tree) { return tree.clusters < several ? settings.few_clusters_share : 1.0; };
+  std::vector<double> weights;
+  double largest = 0.0;
+  for (const TreePair& p : pairs) {
+    weights.push_back(weight_of(query.trees[p.query]) * weight_of(candidate.trees[p.candidate]));
+    largest = std::max(largest, weights.back());
+  }
+  for (double& weight : weights) weight = largest > 0.0 ? weight / largest : 1.0;
+  return weights;
+}
+
 RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs, const PlanarPose& start,
                         const RefinePoseSettings& settings) {
   RefinedPose refined;
   refined.planar = refine_planar(query, candidate, pairs, start, settings);
   const bool level_sensor = settings.height_prior && query.level_sensor && candidate.level_sensor;
   const Eigen::Vector4d tilt =
-      solve_tilt(tilt_pairs(query, candidate, pairs, refined.planar), refined.planar.displacement_m(), level_sensor, settings);
+      solve_tilt(tilt_pairs(query, candidate, pairs, refined.planar, settings), refined.planar.displacement_m(), level_sensor, settings);
   const RigidTransform correction{rotation_from({tilt[1], tilt[2], 0.0}), {0.0, 0.0, tilt[0]}};
   const RigidTransform candidate_upright{candidate.aligned_from_scene, Eigen::Vector3d::Zero()};
   const RigidTransform query_upright{query.aligned_from_scene, Eigen::Vector3d::Zero()};

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include "core/treeloc/match_trees.hpp"
 #include "core/treeloc/scene.hpp"
@@ -17,5 +18,10 @@ struct RefinedPose {
 /// both, that its height above the ground was the same.
 RefinedPose refine_pose(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs, const PlanarPose& start,
                         const RefinePoseSettings& settings);
+
+/// What the base heights of each pair count, the surest pair's 1: those of trees that few partial observations saw hang in the
+/// air or lie in the ground.
+std::vector<double> height_weights(const Scene& query, const Scene& candidate, std::span<const TreePair> pairs,
+                                   const RefinePoseSettings& settings);
 
 }  // namespace stemwise::treeloc

@@ -80,7 +80,8 @@ struct VerifySettings {
 struct RefinePoseSettings {
   double planar_scale_m = 0.12;
   double height_scale_m = 0.25;
-  double axis_scale_deg = 0.7;
+  double few_clusters_share = 0.1;
+  double axis_scale_deg = 0.5;
   double tilt_prior_deg = 1.0;
   bool height_prior = true;
   double height_prior_m = 0.08;
@@ -94,7 +95,7 @@ struct RefinePoseSettings {
 struct FusePosesSettings {
   bool enabled = true;
   int most = 20;
-  double position_scale_m = 0.15;
+  double position_scale_m = 0.3;
   double rotation_scale_deg = 1.0;
   Fields fields(const std::string& prefix);
 };
