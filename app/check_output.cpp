@@ -33,11 +33,28 @@ bool may_hold_a_result(const std::string& path) {
   return (head[first] == '{' || head[first] == '[') && head.find("\"Feature") == std::string::npos;
 }
 
+/// Does a word of the command line, beside the one after --json, name this file (`FILE`, `FILE:KEY`)?
+bool is_named_elsewhere(const std::string& path, const std::vector<std::string>& words) {
+  const auto plain = [](const std::string& name) { return fs::absolute(name).lexically_normal(); };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if ((i > 0 && words[i - 1] == "--json") || words[i].empty() || words[i].starts_with("-")) continue;
+    const std::string file = words[i].substr(0, words[i].rfind(':'));
+    for (const std::string& name : {words[i], file})
+      if (!name.empty() && (plain(name) == plain(path) || is_same_file(name, path))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-ExitCode check_json_target(const std::string& path, Console& console) {
+ExitCode check_json_target(const std::string& path, const std::vector<std::string>& words, Console& console) {
   std::error_code code;
-  if (path.empty() || path == "-" || !fs::is_regular_file(path, code) || may_hold_a_result(path)) return ExitCode::done;
+  if (path.empty() || path == "-") return ExitCode::done;
+  if (is_named_elsewhere(path, words)) {
+    console.error("--json " + path + ": the same file is given to this command otherwise, and writing would destroy it; choose another name");
+    return ExitCode::usage;
+  }
+  if (!fs::is_regular_file(path, code) || may_hold_a_result(path)) return ExitCode::done;
   console.error("--json " + path + ": the file is there and is no earlier result, and writing would destroy it; choose another name");
   return ExitCode::usage;
 }

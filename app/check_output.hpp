@@ -14,8 +14,9 @@ enum class OutputKind { project, other };
 /// (usage). Says why. A project that is read may be written again.
 ExitCode check_output(const std::string& output, OutputKind kind, const std::vector<std::string>& inputs, Console& console);
 
-/// Before any work: where --json may not write. A file that holds anything but an earlier result would be destroyed (usage).
-ExitCode check_json_target(const std::string& path, Console& console);
+/// Before any work: where --json may not write. A file that holds anything but an earlier result would be destroyed, and so would
+/// one that another of the words of the command line names (usage).
+ExitCode check_json_target(const std::string& path, const std::vector<std::string>& words, Console& console);
 
 /// A project that would be written anew and not be read: the decisions that people made in it would be gone (usage).
 ExitCode check_decisions_kept(const std::string& project, Console& console);

@@ -47,10 +47,10 @@ ExitCode report_parse_outcome(const CLI::App& app, const CLI::ParseError& outcom
   return ExitCode::usage;
 }
 
-ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, const Interrupt& interrupt) {
+ExitCode run_chosen(const ChosenCommand& chosen, const CommonOptions& common, const std::vector<std::string>& words, const Interrupt& interrupt) {
   Console console(common.quiet);
   Session session{common, console, interrupt.requested()};
-  if (const ExitCode code = check_json_target(common.json, console); code != ExitCode::done) return code;
+  if (const ExitCode code = check_json_target(common.json, words, console); code != ExitCode::done) return code;
   try {
     return chosen.run(session);
   } catch (const Cancelled&) {
@@ -115,7 +115,7 @@ ExitCode run_command_line(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& outcome) {
     return report_parse_outcome(root, outcome);
   }
-  return run_chosen(chosen, common, interrupt);
+  return run_chosen(chosen, common, arguments, interrupt);
 }
 
 }  // namespace stemwise

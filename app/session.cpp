@@ -67,7 +67,7 @@ ExitCode Session::apply_settings(Fields fields) {
 ExitCode Session::write_json(const std::string& text) {
   if (common.json.empty()) return ExitCode::done;
   console.end_progress();
-  if (const ExitCode code = check_json_target(common.json, console); code != ExitCode::done) return code;  // as -o may be by now
+  if (const ExitCode code = check_json_target(common.json, {}, console); code != ExitCode::done) return code;  // as -o may be by now
   const Issues found = write_result(common.json, text);
   console.issues(found);
   return has_error(found) ? ExitCode::failed : ExitCode::done;

@@ -56,7 +56,9 @@ TEST_F(SafeOutput, AResultIsNeverWrittenOverAnythingButAResult) {
   const std::vector<std::vector<std::string>> harmful{{"info", first_, "--json", first_},
                                                       {"align", first_, second_, "-o", folder_ / "more.gpkg", "--json", first_},
                                                       {"export", project_, "-o", folder_ / "trees.csv", "--json", project_},
-                                                      {"georeference", project_, "--anchor", "48.77214,9.16621,412.5,37", "--json", project_}};
+                                                      {"georeference", project_, "--anchor", "48.77214,9.16621,412.5,37", "--json", project_},
+                                                      {"align", first_, second_, "-o", folder_ / "more.gpkg", "--config", folder_ / "align.json", "--json", folder_ / "align.json"},
+                                                      {"export", project_, "-o", folder_ / "trees.geojson", "--json", folder_ / "trees.geojson"}};
   for (const auto& arguments : harmful) {
     const ProgramRun run = run_stemwise(arguments);
     EXPECT_EQ(run.code, 2) << arguments.front() << ": " << run.err;
