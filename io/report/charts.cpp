@@ -145,8 +145,9 @@ namespace {
 
 struct MapFrame {
   double scale = 1.0;  ///< px per m
+  double left = 8.0;   ///< where low_m.x() lies: the trees stand in the middle
   Eigen::Vector2d low_m, high_m;
-  DrawPoint at(const Eigen::Vector3d& p) const { return {8.0 + (p.x() - low_m.x()) * scale, 8.0 + (high_m.y() - p.y()) * scale}; }
+  DrawPoint at(const Eigen::Vector3d& p) const { return {left + (p.x() - low_m.x()) * scale, 8.0 + (high_m.y() - p.y()) * scale}; }
 };
 
 MapFrame map_frame_of(const std::vector<TreeRow>& trees) {
@@ -159,6 +160,7 @@ MapFrame map_frame_of(const std::vector<TreeRow>& trees) {
   }
   const Eigen::Vector2d extent = (frame.high_m - frame.low_m).cwiseMax(1.0);
   frame.scale = std::min((chart_width - 16.0) / extent.x(), 440.0 / extent.y());
+  frame.left = 0.5 * (chart_width - extent.x() * frame.scale);
   return frame;
 }
 
