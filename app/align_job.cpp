@@ -121,10 +121,9 @@ AlignOutcome align_project(const ProjectState& state, const AlignJobSettings& se
   if (settings.one_crs && add_crs_priors(state, outcome.alignment, hints))
     outcome.alignment = align_surveys(inventories, state.reference, settings.align, hints, progress.stage(0.6, 1.0));
   outcome.alignment.notes.insert(outcome.alignment.notes.begin(), notes.begin(), notes.end());
-  for (const Inventory* inventory : inventories) {
-    progress.check();
-    outcome.coverages.emplace_back(inventory->id, estimate_coverage(*inventory));
-  }
+  progress.check();
+  std::vector<Coverage> coverages = estimate_coverages(inventories, outcome.alignment);
+  for (std::size_t i = 0; i < inventories.size(); ++i) outcome.coverages.emplace_back(inventories[i]->id, std::move(coverages[i]));
   return outcome;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/geometry/planar_index.hpp"
 #include "core/geometry/raster_mask.hpp"
+#include "core/survey/shared_border.hpp"
 
 namespace stemwise {
 namespace {
@@ -28,18 +29,35 @@ double range_seen_m(const FrameSet& frames, const CoverageSettings& settings) {
   return ranges.empty() ? settings.least_range_m : std::max(settings.least_range_m, percentile(ranges, settings.seen_share));
 }
 
+bool holds_nearly_all(const RasterMask& mask, std::span<const Eigen::Vector2d> points) {
+  constexpr double nearly_all = 0.98;
+  const auto held = std::count_if(points.begin(), points.end(), [&](const Eigen::Vector2d& p) { return mask.at(p); });
+  return static_cast<double>(held) >= nearly_all * static_cast<double>(points.size());
+}
+
+/// Shrinks by `most_m`, or by less where that would take away points or fall into parts: never by nothing at one weak spot.
+RasterMask shrunk_around(const RasterMask& grown, std::span<const Eigen::Vector2d> points, double most_m) {
+  RasterMask shrunk = grown.eroded(most_m).largest_part();
+  if (shrunk.count() > 0 && holds_nearly_all(shrunk, points)) return shrunk;
+  RasterMask best = grown;
+  double low_m = 0.0, high_m = most_m;
+  for (int halving = 0; halving < 5; ++halving) {
+    const double by_m = 0.5 * (low_m + high_m);
+    shrunk = grown.eroded(by_m).largest_part();
+    const bool holds = shrunk.count() > 0 && holds_nearly_all(shrunk, points);
+    (holds ? low_m : high_m) = by_m;
+    if (holds) best = std::move(shrunk);
+  }
+  return best;
+}
+
 /// Grows the points until nearly all hang together, then shrinks back to `margin_m` around them.
 RasterMask footprint(std::span<const Eigen::Vector2d> points, double close_m, double margin_m, double cell_m) {
-  constexpr double nearly_all = 0.98;
   for (double radius_m = close_m;; radius_m *= 1.5) {
     RasterMask mask(points, radius_m + margin_m, cell_m);
     for (const auto& p : points) mask.set(p);
-    RasterMask grown = mask.dilated(radius_m).largest_part();
-    const auto held = std::count_if(points.begin(), points.end(), [&](const Eigen::Vector2d& p) { return grown.at(p); });
-    if (static_cast<double>(held) < nearly_all * static_cast<double>(points.size())) continue;
-    RasterMask shrunk = grown.eroded(std::max(0.0, radius_m - margin_m));
-    if (shrunk.count() == 0 || shrunk.part_count() > 1) return grown;
-    return shrunk;
+    const RasterMask grown = mask.dilated(radius_m).largest_part();
+    if (holds_nearly_all(grown, points)) return shrunk_around(grown, points, std::max(0.0, radius_m - margin_m));
   }
 }
 
@@ -59,6 +77,33 @@ std::vector<Eigen::Vector2d> places_of(std::span<const Stem> stems) {
   return points;
 }
 
+Coverage around(const std::vector<Eigen::Vector2d>& points, const CoverageSettings& settings) {
+  Coverage coverage{{}, CoverageSource::stems};
+  if (points.empty()) return coverage;
+  if (points.size() < 3) {
+    constexpr double around_m = 5.0;
+    coverage.in_inventory = footprint(points, around_m, around_m, 0.5).outline();
+    return coverage;
+  }
+  const double spacing_m = typical_spacing_m(points);
+  const double margin_m = settings.margin_spacings * spacing_m;
+  const RasterMask mask = footprint(points, settings.close_spacings * spacing_m, margin_m, spacing_m / 6.0);
+  coverage.in_inventory = mask.without_holes(settings.smallest_hole_sq_m).outline();
+  return coverage;
+}
+
+/// The coverage of a bare list once more, with the trees that others saw at its border.
+Coverage with_border(Coverage coverage, const PlacedInventory& survey, std::span<const PlacedInventory> others) {
+  std::vector<Eigen::Vector2d> points = places_of(survey.inventory->stems);
+  if (coverage.source != CoverageSource::stems || points.size() < 3) return coverage;
+  const CoverageSettings settings;
+  const double reach_m = std::max(1.0, settings.margin_spacings * typical_spacing_m(points));
+  const auto border = shared_border(survey, coverage.in_inventory, others, reach_m);
+  if (border.empty()) return coverage;
+  points.insert(points.end(), border.begin(), border.end());
+  return around(points, settings);
+}
+
 }  // namespace
 
 Fields CoverageSettings::fields() {
@@ -66,6 +111,7 @@ Fields CoverageSettings::fields() {
           {"coverage.least_range_m", "m", "A frame covers at least this radius.", &least_range_m},
           {"coverage.frame_cell_m", "m", "Raster of the union of the frames' discs.", &frame_cell_m},
           {"coverage.smallest_hole_sq_m", "m2", "Holes smaller than this count as looked at.", &smallest_hole_sq_m},
+          {"coverage.margin_spacings", "", "A list covers so many spacings around its outermost stems.", &margin_spacings},
           {"coverage.close_spacings", "", "Stems nearer than twice this many spacings belong together.", &close_spacings}};
 }
 
@@ -81,24 +127,26 @@ Coverage coverage_from_frames(const FrameSet& frames, const CoverageSettings& se
 }
 
 Coverage coverage_from_stems(std::span<const Stem> stems, const CoverageSettings& settings) {
-  Coverage coverage{{}, CoverageSource::stems};
-  const std::vector<Eigen::Vector2d> points = places_of(stems);
-  if (points.empty()) return coverage;
-  if (points.size() < 3) {
-    constexpr double around_m = 5.0;
-    coverage.in_inventory = footprint(points, around_m, around_m, 0.5).outline();
-    return coverage;
-  }
-  const double spacing_m = typical_spacing_m(points);
-  const double close_m = settings.close_spacings * spacing_m, margin_m = 0.5 * spacing_m;
-  const RasterMask mask = footprint(points, close_m, margin_m, margin_m / 3.0);
-  coverage.in_inventory = mask.without_holes(settings.smallest_hole_sq_m).outline();
-  return coverage;
+  return around(places_of(stems), settings);
 }
 
 Coverage estimate_coverage(const Inventory& inventory) {
   if (inventory.frames && !inventory.frames->frames.empty()) return coverage_from_frames(*inventory.frames);
   return coverage_from_stems(inventory.stems);
+}
+
+std::vector<Coverage> estimate_coverages(std::span<const Inventory* const> inventories, const SurveyAlignment& alignment) {
+  std::vector<PlacedInventory> placed;
+  for (const Inventory* inventory : inventories)
+    for (const InventoryAlignment& a : alignment.inventories)
+      if (a.inventory == inventory->id && (a.status == AlignmentStatus::aligned || a.status == AlignmentStatus::reference)) placed.push_back({inventory, a.reference_from_inventory});
+  std::vector<Coverage> coverages;
+  for (const Inventory* inventory : inventories) {
+    coverages.push_back(estimate_coverage(*inventory));
+    for (const PlacedInventory& survey : placed)
+      if (survey.inventory == inventory) coverages.back() = with_border(std::move(coverages.back()), survey, placed);
+  }
+  return coverages;
 }
 
 }  // namespace stemwise

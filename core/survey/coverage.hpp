@@ -1,10 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "core/base/field.hpp"
 #include "core/forest/inventory.hpp"
 #include "core/project/project_state.hpp"
+#include "core/survey/alignment.hpp"
 
 namespace stemwise {
 
@@ -13,6 +15,9 @@ struct CoverageSettings {
   double least_range_m = 5.0;   ///< and at least so much
   double frame_cell_m = 1.5;    ///< raster of the union of discs
   double smallest_hole_sq_m = 200.0;  ///< smaller holes count as looked at
+  /// With it the areas come out right: 0.99 to 1.01 of a square of 30 to 6,000 scattered stems and of planted grids, 0.99 of SCBI's
+  /// 25.6 ha, 0.97 (median) of the eight Mount Rainier stands; half of it gave 0.75 to 0.96. A border runs between stems, not at them.
+  double margin_spacings = 1.0;
   double close_spacings = 3.0;  ///< stems nearer than twice this many typical spacings belong together
   Fields fields();
 };
@@ -20,10 +25,12 @@ struct CoverageSettings {
 /// Where the frames looked: the union of discs around the poses. In the survey's frame. One ring; holes of a loop are kept
 /// open through a slit of a centimetre.
 Coverage coverage_from_frames(const FrameSet& frames, const CoverageSettings& settings = {});
-/// Where a bare list has stems: its concave footprint and half the typical spacing around it. Fewer than three stems: a
+/// Where a bare list has stems: its concave footprint and `margin_spacings` around it. Fewer than three stems: a
 /// disc of five metres around each.
 Coverage coverage_from_stems(std::span<const Stem> stems, const CoverageSettings& settings = {});
 /// From its frames where it has them, else from its stems.
 Coverage estimate_coverage(const Inventory& inventory);
+/// The same of several surveys, in their order. Of bare lists that have a place, trees of other surveys at the border count too (shared_border).
+std::vector<Coverage> estimate_coverages(std::span<const Inventory* const> inventories, const SurveyAlignment& alignment);
 
 }  // namespace stemwise

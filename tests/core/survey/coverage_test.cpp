@@ -65,10 +65,10 @@ TEST(Coverage, OfALeaningFrameLiesWhereItsStemsLie) {
   EXPECT_GE(inside, 396);
 }
 
-TEST(Coverage, OfARectangleOfStemsIsTheRectangleAndALittleMore) {
+TEST(Coverage, OfARectangleOfStemsIsTheRectangle) {
   const std::vector<Stem> stems = scattered(1500, 120, 80, 1);
   const Coverage coverage = coverage_from_stems(stems);
-  EXPECT_NEAR(area_sq_m(coverage.in_inventory), 120.0 * 80.0, 600.0);
+  EXPECT_NEAR(area_sq_m(coverage.in_inventory), 120.0 * 80.0, 200.0);
   EXPECT_TRUE(is_simple(coverage.in_inventory));
   EXPECT_EQ(coverage.source, CoverageSource::stems);
   const auto inside = std::count_if(stems.begin(), stems.end(), [&](const Stem& s) { return contains(coverage.in_inventory, {s.x_m, s.y_m}); });
@@ -90,6 +90,61 @@ TEST(Coverage, IsTheSameAtUtmScale) {
   const Coverage there = coverage_from_stems(scattered(300, 50, 50, 4, utm));
   EXPECT_NEAR(area_sq_m(there.in_inventory), here, 25.0);
   EXPECT_TRUE(contains(there.in_inventory, utm + Eigen::Vector2d(25, 25)));
+}
+
+TEST(Coverage, OfScatteredStemsHasTheAreaOfTheirPlotAtAnyNumber) {
+  for (const int n : {60, 150, 400, 1500}) {
+    const double side_m = 5.0 * std::sqrt(n), plot_sq_m = side_m * side_m;
+    double sum = 0.0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const double area = area_sq_m(coverage_from_stems(scattered(n, side_m, side_m, seed)).in_inventory);
+      EXPECT_NEAR(area, plot_sq_m, 0.2 * plot_sq_m) << n << " stems, seed " << seed;
+      sum += area / 12.0;
+    }
+    EXPECT_NEAR(sum, plot_sq_m, 0.04 * plot_sq_m) << n << " stems";
+  }
+}
+
+/// Two surveys of one plot in the frame of the reference; the second without some of the first one's stems.
+std::vector<Coverage> coverages_of(const std::vector<Stem>& first, const std::vector<Stem>& second) {
+  const Inventory a{InventoryId{1}, "a", {}, first, {}, nullptr}, b{InventoryId{2}, "b", {}, second, {}, nullptr};
+  SurveyAlignment alignment;
+  for (const Inventory* inventory : {&a, &b}) {
+    InventoryAlignment placed;
+    placed.inventory = inventory->id;
+    placed.status = inventory == &a ? AlignmentStatus::reference : AlignmentStatus::aligned;
+    alignment.inventories.push_back(placed);
+  }
+  return estimate_coverages(std::vector<const Inventory*>{&a, &b}, alignment);
+}
+
+TEST(Coverage, ATreeOfTheBorderThatIsGoneStillStandsInside) {
+  const std::vector<Stem> first = scattered(500, 100, 100, 9);
+  std::vector<Stem> second, gone;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double to_border_m = std::min({first[i].x_m, first[i].y_m, 100.0 - first[i].x_m, 100.0 - first[i].y_m});
+    (to_border_m < 3.0 && i % 4 == 0 ? gone : second).push_back(first[i]);
+  }
+  const auto well_inside = [&](const Coverage& coverage) {
+    return std::count_if(gone.begin(), gone.end(), [&](const Stem& s) {
+      return distance_to_edge_m(coverage.in_inventory, {s.x_m, s.y_m}) > 1.0 && contains(coverage.in_inventory, {s.x_m, s.y_m});
+    });
+  };
+  const auto alone = well_inside(coverage_from_stems(second)), together = well_inside(coverages_of(first, second)[1]);
+  EXPECT_GT(together, alone);
+  EXPECT_GE(together, static_cast<std::ptrdiff_t>(gone.size()) - 1);
+}
+
+TEST(Coverage, AStripThatWasNotSurveyedStaysOutside) {
+  const std::vector<Stem> first = scattered(600, 100, 100, 10);
+  std::vector<Stem> second;
+  for (const Stem& s : first)
+    if (s.x_m > 8.0) second.push_back(s);
+  const Coverage alone = coverage_from_stems(second), together = coverages_of(first, second)[1];
+  EXPECT_NEAR(area_sq_m(together.in_inventory), area_sq_m(alone.in_inventory), 60.0);
+  int claimed = 0;
+  for (const Stem& s : first) claimed += s.x_m < 4.0 && contains(together.in_inventory, {s.x_m, s.y_m}) ? 1 : 0;
+  EXPECT_EQ(claimed, 0);
 }
 
 TEST(Coverage, OfFewStemsIsSmallAndNotEmpty) {
