@@ -67,25 +67,28 @@ ordered_json trees_json(const Tables& tables) {
 
 double cm(double m) { return m * 100.0; }
 
+/// Figures of changes, or null where no stem was measured twice: 0 would be a figure.
+ordered_json of_changes(int n, ordered_json figure) { return n > 0 ? std::move(figure) : ordered_json(); }
+
 ordered_json growth_json(const ProjectState& state, const GrowthRow& row) {
   return {{"from", name_of(state, row.from)},
           {"to", name_of(state, row.to)},
           {"years", row.years ? ordered_json(*row.years) : ordered_json()},
           {"n", row.n},
-          {"median_dbh_change_cm", cm(row.median_change_m)},
-          {"ci95_cm", {cm(row.ci95_m[0]), cm(row.ci95_m[1])}},
-          {"p20_p80_cm", {cm(row.p20_p80_m[0]), cm(row.p20_p80_m[1])}},
-          {"dbh_error_cm", cm(row.dbh_error_m)}};
+          {"median_dbh_change_cm", of_changes(row.n, cm(row.median_change_m))},
+          {"ci95_cm", of_changes(row.n, {cm(row.ci95_m[0]), cm(row.ci95_m[1])})},
+          {"p20_p80_cm", of_changes(row.n, {cm(row.p20_p80_m[0]), cm(row.p20_p80_m[1])})},
+          {"dbh_error_cm", of_changes(row.n, cm(row.dbh_error_m))}};
 }
 
 ordered_json interval_json(const Estimate& estimate) { return {{"value", cm(estimate.value)}, {"ci95", {cm(estimate.ci95[0]), cm(estimate.ci95[1])}}}; }
 
 /// What the contract's row does not have: the mean, which measurement error does not move, and what one tree can show.
 void add_stand_growth(const StandGrowth& row, ordered_json& json) {
-  json["mean_dbh_change_cm"] = interval_json(row.mean_m);
-  json["mean_dbh_change_cm_per_year"] = row.years ? interval_json(row.mean_m_per_year) : ordered_json();
-  json["robust_dbh_change_cm"] = interval_json(row.robust_m);
-  json["detection_limit_cm"] = cm(row.detection_limit_m);
+  json["mean_dbh_change_cm"] = of_changes(row.n, interval_json(row.mean_m));
+  json["mean_dbh_change_cm_per_year"] = of_changes(row.years ? row.n : 0, interval_json(row.mean_m_per_year));
+  json["robust_dbh_change_cm"] = of_changes(row.n, interval_json(row.robust_m));
+  json["detection_limit_cm"] = of_changes(row.n, cm(row.detection_limit_m));
 }
 
 ordered_json components_json(const ComponentTable& table, bool all) {

@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/survey/grow_pose.hpp"
+#include "core/survey/pose_by_hand.hpp"
 
 namespace stemwise {
 namespace {
@@ -162,55 +163,6 @@ double mirror_score(const IndexedList& a, const IndexedList& b, const SearchPlan
   return best_of(search.best, 0);
 }
 
-/// The pose that two or more pairs named by a person ask for, by least squares.
-PlanarPose pose_from_pairs(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& pairs) {
-  Eigen::Vector2d mean_a = Eigen::Vector2d::Zero(), mean_b = Eigen::Vector2d::Zero();
-  for (const auto& [pa, pb] : pairs) mean_a += pa / static_cast<double>(pairs.size()), mean_b += pb / static_cast<double>(pairs.size());
-  double dot = 0.0, cross = 0.0;
-  for (const auto& [pa, pb] : pairs) {
-    const Eigen::Vector2d u = pa - mean_a, v = pb - mean_b;
-    dot += u.dot(v), cross += u.x() * v.y() - u.y() * v.x();
-  }
-  PlanarPose pose{0.0, 0.0, std::atan2(cross, dot)};
-  const Eigen::Vector2d shift = mean_b - pose * mean_a;
-  pose.x_m = shift.x(), pose.y_m = shift.y();
-  return pose;
-}
-
-std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> places_of(const IndexedList& a, const IndexedList& b, const ListHints& hints) {
-  const auto node_with = [](const NodeList& nodes, std::size_t stem) -> std::optional<Eigen::Vector2d> {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (std::find(nodes.members[i].begin(), nodes.members[i].end(), stem) != nodes.members[i].end()) return nodes.at_m[i];
-    return std::nullopt;
-  };
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> result;
-  for (const auto& [stem_a, stem_b] : hints.same_tree) {
-    const auto pa = node_with(a.nodes, stem_a), pb = node_with(b.nodes, stem_b);
-    if (pa && pb) result.emplace_back(*pa, *pb);
-  }
-  return result;
-}
-
-/// Refines the pose that named pairs ask for, unless that would take them apart again.
-std::optional<ScoredPose> pose_by_hand(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings) {
-  const auto places = places_of(a, b, hints);
-  if (places.size() < 2) return std::nullopt;
-  Scene scene;
-  double spread_m = 0.0;
-  for (const auto& place : places) scene.centre_m += place.first / static_cast<double>(places.size());
-  for (const auto& place : places) spread_m = std::max(spread_m, (place.first - scene.centre_m).norm());
-  if (spread_m < 0.5) return std::nullopt;  // two stems at one spot give no heading
-  scene.radius_m = std::max(15.0, 1.5 * spread_m);
-  a.index.within(scene.centre_m, scene.radius_m, [&](std::size_t i, double) { scene.nodes.push_back(i); });
-  const PoseFit start{pose_from_pairs(places), 1.0, {false, 0.0, 1.0}, 0.0};
-  PoseFit fit = refine_pose(a, scene.nodes, b, start, settings.noise_floor_m);
-  fit.dbh = refit_dbh(a, scene.nodes, b, fit);
-  fit = grow_pose(a, scene, b, fit, settings.noise_floor_m);
-  const bool kept = std::all_of(places.begin(), places.end(), [&](const auto& place) { return (fit.b_from_a * place.first - place.second).norm() < 2.5; });
-  if (!kept) fit = start;
-  return ScoredPose{fit, score_pose(a, b, fit, nullptr)};
-}
-
 /// a comes first when it is the smaller list; equal lists in a fixed order, so that swapping them changes nothing.
 bool in_order(const IndexedList& a, const IndexedList& b) {
   if (a.size() != b.size()) return a.size() < b.size();
@@ -239,6 +191,7 @@ ListAlignment swapped(ListAlignment r) {
   r.dbh.growth_cm = -r.dbh.growth_cm;
   std::swap(r.score.a_inside, r.score.b_inside);
   std::swap(r.score.share_a, r.score.share_b);
+  for (NamedPair& pair : r.contradicted) std::swap(pair.first, pair.second);
   return r;
 }
 
@@ -285,18 +238,42 @@ Verdict accept_within(const Acceptance& a, const PoseWindow& window, Verdict ver
   return {AlignmentStatus::probable, "too few stems to prove itself; the best of the poses that the common coordinate system allows"};
 }
 
+/// What a person says holds, and is not asked to prove itself; but pairs that contradict each other make no pose, and where another
+/// pose is beyond doubt and fits far better, the named pairs are mistaken (a slip of the hand), which only the person can mend.
+ListAlignment judge_by_hand(Search& search, const SearchPlan& plan, const HandPose& by_hand, const Progress& progress) {
+  ListAlignment result;
+  result.contradicted = by_hand.contradicted;
+  if (by_hand.agreeing.empty()) {
+    result.reason = "the named pairs contradict each other: no pose brings two of them together";
+    return result;
+  }
+  const ScoredPose named{by_hand.fit, score_pose(search.a, search.b, by_hand.fit, nullptr)};
+  keep_distinct(search.best, named);
+  search_all(search, plan, plan.scenes.size(), true, progress, "searching poses beside the named one");
+  const ScoredPose& best = search.best.front();
+  const double named_ratio = named.score.log_likelihood_ratio, lead = best.score.log_likelihood_ratio - named_ratio;
+  const bool elsewhere = distance_between_m(best.fit.b_from_a, named.fit.b_from_a, best.score) > distinct_m(best);
+  if (elsewhere && best.score.log_likelihood_ratio - plan.log_poses >= search.settings.accept_log_ratio &&
+      lead >= std::max(search.settings.accept_margin, search.settings.margin_share * best.score.log_likelihood_ratio)) {
+    fill_acceptance(result, search, 0.0, plan.log_poses);
+    result.reason = "the named pairs ask for a pose that " + std::to_string(named.score.matched) + " stems agree with, while another one fits " +
+                    std::to_string(best.score.matched) + " and far better: look at the named pairs, or align without them";
+    return result;
+  }
+  if (elsewhere) search.best.insert(search.best.begin(), named);
+  fill_acceptance(result, search, 0.0, 0.0);
+  result.status = AlignmentStatus::aligned;
+  return result;
+}
+
 /// In node coordinates, the smaller list first.
 ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const ListHints& hints, const ListSettings& settings, int threads, const Progress& progress) {
   SearchPlan plan{query_scenes(a, settings), dbh_bank(hints.years, a.any_dbh && b.any_dbh), 0.0};
   plan.log_poses = log_poses_tried(b, plan.scenes, plan.bank.size(), hints.rough_pose);
   Search search{a, b, settings, VoteSettings{settings.peaks, threads, hints.rough_pose}, plan.log_poses + settings.probable_log_ratio, {}, 0};
   ListAlignment result;
-  if (const auto by_hand = pose_by_hand(a, b, hints, settings)) {
-    search.best.push_back(*by_hand);
-    fill_acceptance(result, search, 0.0, 0.0);
-    result.status = AlignmentStatus::aligned;
-    return result;
-  }
+  if (const auto by_hand = pose_by_hand(a, b, hints.same_tree, settings.noise_floor_m))
+    return judge_by_hand(search, plan, *by_hand, progress);
   const bool settled = verify_proposals(search, plan, hints.proposals, progress.stage(0.0, 0.1));
   if (settled) plan.bank = {search.best[0].fit.dbh};  // one scene, one model: what chance and the second choice can do here
   const std::size_t scenes = search_all(search, plan, settled ? 1 : plan.scenes.size(), !settled, progress.stage(0.1, 0.6), "searching poses");

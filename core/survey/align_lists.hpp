@@ -29,6 +29,7 @@ struct ListAlignment {
   PoseScore score;           ///< of that pose
   Acceptance acceptance;
   std::optional<PlanarPose> second_best;  ///< b from a
+  std::vector<std::pair<std::size_t, std::size_t>> contradicted;  ///< of same_tree: stems that the pose lays metres apart
   int poses_refined = 0;
 };
 

@@ -167,6 +167,15 @@ class Run {
     return hints;
   }
 
+  void name_contradicted(const ListAlignment& found, std::size_t k, std::size_t on) {
+    const auto stem = [&](std::size_t inventory, std::size_t index) {
+      return inventories_[inventory]->name + " " + inventories_[inventory]->stems[index].source_id;
+    };
+    for (const auto& [in_k, in_on] : found.contradicted)
+      result_.notes.push_back(inventories_[k]->name + ": " + stem(on, in_on) + " and " + stem(k, in_k) +
+                              " are named as the same tree, but the other named pairs lay them metres apart: look at this pair.");
+  }
+
   /// Lays inventory k onto inventory `on` and takes the pose over when it is accepted, or better than what there was.
   void align_pair(std::size_t k, std::size_t on, const Progress& progress) {
     const auto retrieving = Clock::now();
@@ -178,6 +187,7 @@ class Run {
       hints.proposals.push_back(planar_part(prepared_[on].level_from_inventory * *scenes.a_from_b * prepared_[k].level_from_inventory.inverse()));
     const ListAlignment found = align_lists(prepared_[k].list, prepared_[on].list, hints, settings_.lists, settings_.threads, progress.stage(0.5, 1.0));
     result_.timing.verify_s += seconds_since(start);
+    name_contradicted(found, k, on);
     InventoryAlignment& report = result_.inventories[k];
     const bool accepted = found.status == AlignmentStatus::aligned || (settings_.accept_probable && found.status == AlignmentStatus::probable);
     const bool better = report.status == AlignmentStatus::unaligned || (report.status == AlignmentStatus::failed && found.status == AlignmentStatus::probable);

@@ -272,6 +272,35 @@ TEST(AlignSurveys, takes_two_pairs_named_by_a_person_as_the_pose) {
   for (const auto& pair : hints.same_tree) EXPECT_TRUE(joined.contains({pair.a, pair.b}));
 }
 
+/// Matches of an alignment as a person would name them.
+AlignHints named_pairs(const SurveyAlignment& alignment, std::size_t count) {
+  AlignHints hints;
+  for (std::size_t k = 0; hints.same_tree.size() < count; k += 7) hints.same_tree.push_back({alignment.matches[k].a, alignment.matches[k].b});
+  return hints;
+}
+
+TEST(AlignSurveys, refuses_named_pairs_that_a_far_better_pose_contradicts) {
+  const Scene3 scene = surveys(two_years(120, 17));
+  AlignHints hints = named_pairs(align(scene, InventoryId{1}), 2);
+  std::swap(hints.same_tree[0].b, hints.same_tree[1].b);  // the two trees changed places: equally far apart
+  const auto result = align(scene, InventoryId{1}, 0, hints);
+  EXPECT_EQ(result.inventories[1].status, AlignmentStatus::failed);
+  EXPECT_NE(result.inventories[1].reason.find("named pairs"), std::string::npos) << result.inventories[1].reason;
+}
+
+TEST(AlignSurveys, names_the_pair_that_the_other_named_pairs_contradict) {
+  const Scene3 scene = surveys(two_years(120, 17));
+  const auto before = align(scene, InventoryId{1});
+  AlignHints hints = named_pairs(before, 4);
+  hints.same_tree[1].b = before.matches[60].b;
+  const auto result = align(scene, InventoryId{1}, 0, hints);
+  EXPECT_EQ(result.inventories[1].status, AlignmentStatus::aligned);
+  const auto named = std::count_if(result.notes.begin(), result.notes.end(), [](const std::string& note) { return note.find("named as the same tree") != std::string::npos; });
+  EXPECT_EQ(named, 1);
+  const RigidTransform step = before.inventories[1].reference_from_inventory.inverse() * result.inventories[1].reference_from_inventory;
+  EXPECT_LT(step.translation_m.norm(), 0.5);
+}
+
 TEST(AlignSurveys, never_joins_what_a_person_has_separated) {
   const Scene3 scene = surveys(two_years(120, 17));
   const auto before = align(scene, InventoryId{1});
