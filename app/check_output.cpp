@@ -59,6 +59,15 @@ ExitCode check_json_target(const std::string& path, const std::vector<std::strin
   return ExitCode::usage;
 }
 
+ExitCode check_no_source(const std::string& output, const ProjectState& state, Console& console) {
+  for (const auto& inventory : state.inventories) {
+    if (inventory->source.path.empty() || !is_same_file(output, inventory->source.path)) continue;
+    console.error("-o " + output + ": survey " + inventory->name + " was read from this file, and writing would destroy it; choose another name");
+    return ExitCode::usage;
+  }
+  return ExitCode::done;
+}
+
 ExitCode check_decisions_kept(const std::string& project, Console& console) {
   if (!is_project(project)) return ExitCode::done;
   const Result<ProjectState> there = read_project(project);
@@ -83,6 +92,10 @@ ExitCode check_output(const std::string& output, OutputKind kind, const std::vec
   for (const std::string& input : inputs) {
     if (!is_same_file(output, input) || (kind == OutputKind::project && project)) continue;
     console.error("-o " + output + ": this is what is read, and writing would destroy it; choose another name");
+    return ExitCode::usage;
+  }
+  if (kind == OutputKind::project && !project && fs::exists(output, code)) {
+    console.error("-o " + output + ": a file that is no Stemwise project is there, and writing would destroy it; choose another name");
     return ExitCode::usage;
   }
   if (kind == OutputKind::other && project) {

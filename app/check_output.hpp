@@ -4,6 +4,7 @@
 
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
+#include "core/project/project_state.hpp"
 
 namespace stemwise {
 
@@ -13,6 +14,9 @@ enum class OutputKind { project, other };
 /// output that is one of the inputs or a Stemwise project which the command does not write, a project that is no .gpkg
 /// (usage). Says why. A project that is read may be written again.
 ExitCode check_output(const std::string& output, OutputKind kind, const std::vector<std::string>& inputs, Console& console);
+
+/// An output that is one of the files that the project's surveys were read from (usage).
+ExitCode check_no_source(const std::string& output, const ProjectState& state, Console& console);
 
 /// Before any work: where --json may not write. A file that holds anything but an earlier result would be destroyed, and so would
 /// one that another of the words of the command line names (usage).

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/align_job.hpp"
 #include "app/align_json.hpp"
 #include "app/align_run.hpp"
 #include "app/check_output.hpp"
@@ -156,13 +157,53 @@ PlotResult align_plot(const ManifestPlot& plot, const fs::path& folder, Session&
   return {summary_line(plot, code, run), csv_cell(plot.plot) + "," + exact_number(run.timing.total_s) + "\n"};
 }
 
+bool holds_an_object(const fs::path& json) {
+  std::ifstream in(json);
+  char first = '\0';
+  return in >> first && first == '{';
+}
+
+/// Whether the files of an earlier run are still there: a project only where one was written.
+bool results_are_there(const fs::path& folder, const std::string& summary) {
+  const bool has_project = summary.find(std::string(",") + status_word(ExitCode::done) + ",") != std::string::npos;
+  const bool has_json = has_project || fs::exists(folder / "align.json");
+  return (!has_json || holds_an_object(folder / "align.json")) && (!has_project || is_project((folder / "project.gpkg").string()));
+}
+
 /// What an earlier run left for this very input, or nothing.
 std::optional<std::string> earlier_summary(const fs::path& folder, const std::string& fingerprint) {
   std::ifstream in(folder / "summary.txt");
   std::string mark, line;
-  if (!std::getline(in, mark) || mark != fingerprint || !std::getline(in, line)) return std::nullopt;
+  if (!std::getline(in, mark) || mark != fingerprint || !std::getline(in, line) || !results_are_there(folder, line)) return std::nullopt;
   return line + "\n";
 }
+
+/// A folder beside the plot's own, which takes its place when all of it is there: an interrupted run leaves the results of the one before.
+class FolderInTheMaking {
+ public:
+  explicit FolderInTheMaking(const fs::path& place) : place_(place), partial_(place.parent_path() / ("." + place.filename().string() + ".partial")) {
+    std::error_code code;
+    fs::remove_all(partial_, code);
+    fs::create_directories(partial_, code);
+  }
+  FolderInTheMaking(const FolderInTheMaking&) = delete;
+  FolderInTheMaking& operator=(const FolderInTheMaking&) = delete;
+  ~FolderInTheMaking() {
+    std::error_code code;
+    fs::remove_all(partial_, code);
+  }
+  const fs::path& path() const { return partial_; }
+  /// False when the file system would not.
+  bool finish() {
+    std::error_code code;
+    fs::remove_all(place_, code);
+    fs::rename(partial_, place_, code);
+    return !code;
+  }
+
+ private:
+  fs::path place_, partial_;
+};
 
 PlotResult do_plot(const ManifestPlot& plot, const BatchOptions& options, Session& session) {
   const fs::path folder = fs::path(options.folder) / plot.plot;
@@ -172,17 +213,18 @@ PlotResult do_plot(const ManifestPlot& plot, const BatchOptions& options, Sessio
     return {*earlier, ""};
   }
   session.console.say(plot.plot + ": " + std::to_string(plot.rows.size()) + " inventories");
-  if (check_decisions_kept((folder / "project.gpkg").string(), session.console) != ExitCode::done) {
-    AlignRun kept;
-    kept.code = ExitCode::failed;
-    kept.problem = "its project holds edits made by hand and was left as it is: move the folder away to align anew";
-    return {summary_line(plot, kept.code, kept), csv_cell(plot.plot) + ",\n"};
-  }
-  std::error_code code;
-  fs::remove_all(folder, code);
-  fs::create_directories(folder, code);
-  PlotResult result = align_plot(plot, folder, session);
-  session.console.issues(write_whole_file((folder / "summary.txt").string(), fingerprint + "\n" + result.summary).issues);
+  const auto not_done = [&](std::string problem) {
+    AlignRun run;
+    run.code = ExitCode::failed;
+    run.problem = std::move(problem);
+    return PlotResult{summary_line(plot, run.code, run), csv_cell(plot.plot) + ",\n"};
+  };
+  if (check_decisions_kept((folder / "project.gpkg").string(), session.console) != ExitCode::done)
+    return not_done("its project holds edits made by hand and was left as it is: move the folder away to align anew");
+  FolderInTheMaking made(folder);
+  PlotResult result = align_plot(plot, made.path(), session);
+  session.console.issues(write_whole_file((made.path() / "summary.txt").string(), fingerprint + "\n" + result.summary).issues);
+  if (!made.finish()) return not_done("its folder could not be replaced");
   return result;
 }
 
@@ -193,6 +235,8 @@ ExitCode run_batch(const BatchOptions& options, Session& session) {
     session.console.error("--shard K/N: K lies between 1 and N");
     return ExitCode::usage;
   }
+  AlignJobSettings settings;  // looked at once for all plots, before anything is touched
+  if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return code;
   const auto plots = read_manifest(options.manifest);
   session.console.issues(plots.issues);
   if (!plots) return ExitCode::unusable_input;

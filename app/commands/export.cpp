@@ -49,6 +49,7 @@ ExitCode run_export(const ExportCommandOptions& given, Session& session) {
   if (const ExitCode code = check_output(given.output, OutputKind::other, {given.project}, session.console); code != ExitCode::done) return code;
   const std::optional<Project> project = open_project(given.project, session);
   if (!project) return ExitCode::unusable_input;
+  if (const ExitCode code = check_no_source(given.output, project->state(), session.console); code != ExitCode::done) return code;
   session.progress().check();
   const Result<Done> written = export_layer(project->state(), given.output, *options);
   session.console.issues(written.issues);

@@ -75,6 +75,7 @@ ExitCode run_report(const ReportCommandOptions& options, Session& session) {
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
   std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;
+  if (const ExitCode code = check_no_source(options.output, project->state(), session.console); code != ExitCode::done) return code;
   if (const ExitCode code = choose_rules(options, *project, session); code != ExitCode::done) return code;
   const Tables tables = derive_tables(project->state());
   if (tables.inventories.empty()) {

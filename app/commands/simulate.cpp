@@ -48,13 +48,24 @@ class FolderWriter {
   bool failed_ = false;
 };
 
+/// A folder that no earlier simulation made may hold somebody's surveys of the same names.
+ExitCode check_folder(const std::string& folder, const std::vector<std::string>& names, Console& console) {
+  if (fs::exists(fs::path(folder) / "truth" / "poses.json")) return ExitCode::done;
+  for (const std::string& name : names)
+    for (const fs::path& path : {fs::path(folder) / name, fs::path(folder) / (name + ".csv")}) {
+      if (!fs::exists(path)) continue;
+      console.error("-o " + folder + ": " + path.string() + " is there and was not simulated, and writing would destroy it; choose another folder");
+      return ExitCode::usage;
+    }
+  return ExitCode::done;
+}
+
 ExitCode write_forest(const SimulatedForest& forest, const SimulateOptions& options, Session& session) {
-  FolderWriter writer(options.folder, session.console);
   std::vector<std::string> names;
-  for (const SimulatedSurvey& survey : forest.surveys) {
-    names.push_back(std::to_string(year_of(*survey.inventory.date)));
-    writer.survey(names.back(), survey.inventory, options.settings.frames);
-  }
+  for (const SimulatedSurvey& survey : forest.surveys) names.push_back(std::to_string(year_of(*survey.inventory.date)));
+  if (const ExitCode code = check_folder(options.folder, names, session.console); code != ExitCode::done) return code;
+  FolderWriter writer(options.folder, session.console);
+  for (std::size_t i = 0; i < names.size(); ++i) writer.survey(names[i], forest.surveys[i].inventory, options.settings.frames);
   writer.truth("trees.csv", truth_trees_csv(forest, names));
   writer.truth("poses.json", truth_poses_json(forest, names));
   return writer.finish(session);
@@ -69,6 +80,7 @@ ExitCode resurvey(const SimulateOptions& options, const SimulateSettings& settin
   session.console.issues(inventory.issues);
   if (!inventory) return ExitCode::unusable_input;
   const SimulatedForest forest = simulate_resurvey(*inventory, settings);
+  if (const ExitCode code = check_folder(options.folder, {"resurvey"}, session.console); code != ExitCode::done) return code;
   FolderWriter writer(options.folder, session.console);
   writer.survey("resurvey", forest.surveys.front().inventory, inventory->frames != nullptr);
   writer.truth("trees.csv", truth_trees_csv(forest, {"before", "resurvey"}));

@@ -45,6 +45,7 @@ ExitCode run_snapshot(const SnapshotOptions& options, Session& session) {
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
   const std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;
+  if (const ExitCode code = check_no_source(options.output, project->state(), session.console); code != ExitCode::done) return code;
   const Tables tables = derive_tables(project->state());
   render::SnapshotSettings settings;
   settings.size = {options.width_px, options.height_px};

@@ -49,6 +49,22 @@ TEST_F(SafeOutput, NothingIsWrittenOverWhatIsReadOrOverAProject) {
   EXPECT_FALSE(fs::exists(folder_ / "project.csv"));
 }
 
+TEST_F(SafeOutput, NothingOfOthersIsReplaced) {
+  ASSERT_EQ(run_stemwise({"export", project_, "-o", folder_ / "trees.gpkg", "--layer", "trees", "--crs", "EPSG:32632", "-q"}).code, 1);  // not on the earth
+  ASSERT_EQ(run_stemwise({"georeference", project_, "--anchor", "48.77214,9.16621,412.5,37", "-q"}).code, 0);
+  ASSERT_EQ(run_stemwise({"export", project_, "-o", folder_ / "trees.gpkg", "--layer", "trees", "-q"}).code, 0);
+  const std::string of_others = text_of(folder_ / "trees.gpkg"), survey = text_of(first_);
+  fs::create_directories(folder_ / "mine");
+  folder_.file("mine/2018.csv", survey);
+  const std::vector<std::vector<std::string>> harmful{{"align", first_, second_, "-o", folder_ / "trees.gpkg"},
+                                                      {"export", project_, "-o", first_},
+                                                      {"simulate", "-o", folder_ / "mine", "--years", "2018,2023", "--stems", "50"}};
+  for (const auto& arguments : harmful) EXPECT_EQ(run_stemwise(arguments).code, 2) << arguments.front();
+  EXPECT_EQ(text_of(folder_ / "trees.gpkg"), of_others);
+  EXPECT_EQ(text_of(first_), survey);
+  EXPECT_EQ(text_of(folder_ / "mine/2018.csv"), survey);
+}
+
 TEST_F(SafeOutput, AProjectMayBeWrittenAgain) { EXPECT_EQ(run_stemwise({"align", first_, second_, "-o", project_}).code, 0); }
 
 TEST_F(SafeOutput, AResultIsNeverWrittenOverAnythingButAResult) {
