@@ -5,6 +5,7 @@
 #include "app/with_frames.hpp"
 #include "core/project/commands.hpp"
 #include "core/survey/coverage.hpp"
+#include "core/survey/crs_offsets.hpp"
 
 namespace stemwise {
 namespace {
@@ -101,6 +102,12 @@ bool add_crs_priors(const ProjectState& state, const SurveyAlignment& tried, Ali
   return hints.rough_poses.size() > given;
 }
 
+/// By --crs, or since every file says the same one.
+bool share_crs(const std::vector<const Inventory*>& inventories, const AlignJobSettings& settings) {
+  if (settings.one_crs) return true;
+  return std::all_of(inventories.begin(), inventories.end(), [&](const Inventory* i) { return i->source.epsg && i->source.epsg == inventories.front()->source.epsg; });
+}
+
 }  // namespace
 
 Fields AlignJobSettings::fields() {
@@ -121,6 +128,8 @@ AlignOutcome align_project(const ProjectState& state, const AlignJobSettings& se
   if (settings.one_crs && add_crs_priors(state, outcome.alignment, hints))
     outcome.alignment = align_surveys(inventories, state.reference, settings.align, hints, progress.stage(0.6, 1.0));
   outcome.alignment.notes.insert(outcome.alignment.notes.begin(), notes.begin(), notes.end());
+  if (share_crs(inventories, settings))
+    for (std::string& warning : crs_warnings(inventories, outcome.alignment)) outcome.alignment.notes.push_back(std::move(warning));
   progress.check();
   std::vector<Coverage> coverages = estimate_coverages(inventories, outcome.alignment);
   for (std::size_t i = 0; i < inventories.size(); ++i) outcome.coverages.emplace_back(inventories[i]->id, std::move(coverages[i]));
