@@ -238,6 +238,7 @@ void Shell::Impl::start_browsing(Frame& frame) {
     case Dialog::open_project: mode = {"Open a project", "Open", {".gpkg"}, false, false, ""}; break;
     case Dialog::add_inventories: mode = {"Add inventories", "Add", {}, false, true, ""}; break;
     case Dialog::import_inventories: mode = {"Import with options", "Look at them", {}, false, true, ""}; break;
+    case Dialog::add_underlay: mode = {"Add an underlay", "Add", {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".vrt", ".asc", ".las", ".laz", ".pcd", ".ply"}, false, false, ""}; break;
     case Dialog::save_project: mode = {"Save the project", "Save", {".gpkg"}, true, false, title + ".gpkg"}; break;
     case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".csv", ".xlsx", ".geojson", ".shp", ".kml", ".dxf", ".fgb"}, true, false, title + "-trees.gpkg"}; break;
     default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv"}, true, false, title + "-growth.html"}; break;
@@ -252,6 +253,7 @@ void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& 
     case Dialog::open_project: frame.requests.emit(request::OpenProject{paths.front()}); break;
     case Dialog::add_inventories: frame.requests.emit(request::AddInventories{paths}); break;
     case Dialog::import_inventories: frame.requests.emit(request::AddInventories{paths, true}); break;
+    case Dialog::add_underlay: frame.requests.emit(request::AddUnderlays{paths}); break;
     case Dialog::save_project: frame.requests.emit(request::SaveProject{paths.front()}); break;
     case Dialog::export_path: report.set_export_path(paths.front()); break;
     default: report.set_report_path(paths.front()); break;

@@ -47,7 +47,7 @@ std::string dbh_span(const TreeRow& tree) {
 
 }  // namespace
 
-void ViewportHost::update(const Document& document, const ui::ViewState& view, double now_s) {
+void ViewportHost::update(const Document& document, const ui::ViewState& view, std::vector<render::ShownUnderlay> underlays, double now_s) {
   render::ViewOptions options;
   options.kind = view.mode == ui::ViewMode::map ? render::ViewKind::map : render::ViewKind::space;
   options.color_by = color_by(view.color_by);
@@ -66,6 +66,7 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, d
   if (!view.selected_tree && view.selected_stem.index >= 0) options.selected_stems = {view.selected_stem};
   options.hovered = hovered_;
   options.moving = dragging_;
+  options.underlays = std::move(underlays);
   viewport_.set_options(options);
   viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
   update_later(document, view, options);

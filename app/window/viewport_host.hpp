@@ -14,7 +14,7 @@ namespace stemwise {
 class ViewportHost {
  public:
   /// Mirrors project and view; cheap when nothing changed.
-  void update(const Document& document, const ui::ViewState& view, double now_s);
+  void update(const Document& document, const ui::ViewState& view, std::vector<render::ShownUnderlay> underlays, double now_s);
   /// Needs the GL context. An empty picture for an empty rectangle.
   ui::ViewportPicture render(const ui::Rect& rect, double scale);
   /// Steps flights and blinking; true while something moves and the window has to be drawn again.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/underlay_list.hpp"
+
 namespace stemwise::ui {
 
 void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
@@ -137,6 +139,7 @@ void ViewportPanel::draw_layers(Widgets& w, Frame& frame, const Rect& button) {
   w.gap(6);
   w.text("Heat map", TextRole::caption, Tone::secondary);
   if (w.combo("layers/heat", {"none", "stem density", "times seen", "mean residual"}, heat, w.px(200))) frame.view.heat = static_cast<Heat>(heat);
+  draw_underlays(w, frame);
   ImGui::EndPopup();
 }
 
