@@ -40,6 +40,7 @@ struct Underlay {
   std::string path;
   bool is_cloud = false;
   InventoryId frame;               ///< whose coordinates it has where it names no system
+  bool is_local = false;           ///< it names none
   bool visible = true;
   float opacity = 0.8f;
   float low_m = lowest_m, high_m = highest_m;  ///< cloud: only points between these heights above the ground; the ends mean no limit

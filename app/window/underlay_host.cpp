@@ -6,8 +6,9 @@ static_assert(static_cast<int>(render::CloudShade::height) == static_cast<int>(u
 
 bool is_underlay(const std::string& path) { return underlay_kind_of(path).has_value() && !path.ends_with(".asc") && !path.ends_with(".ASC"); }
 
-int UnderlayHost::begin(int id, UnderlayRequest request) {
+int UnderlayHost::begin(int id, InventoryId frame, UnderlayRequest request) {
   Entry& entry = entries_[id];
+  entry.frame = frame;
   entry.request = std::move(request);
   return entry.reading = ++last_reading_;
 }
@@ -23,7 +24,17 @@ void UnderlayHost::take(int id, UnderlayData data) {
   entry.job.reset();
 }
 
+void UnderlayHost::fail(int id) {
+  entries_[id].data.reset();
+  entries_[id].job.reset();
+}
+
 void UnderlayHost::forget(int id) { entries_.erase(id); }
+
+InventoryId UnderlayHost::frame_of(int id) const {
+  const auto found = entries_.find(id);
+  return found == entries_.end() ? InventoryId{} : found->second.frame;
+}
 
 std::optional<int> UnderlayHost::job_of(int id) const {
   const auto found = entries_.find(id);

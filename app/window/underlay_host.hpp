@@ -22,11 +22,13 @@ bool is_underlay(const std::string& path);
 class UnderlayHost {
  public:
   /// A reading begins; an earlier one of the same underlay is no longer waited for. The number tells them apart.
-  int begin(int id, UnderlayRequest request);
+  int begin(int id, InventoryId frame, UnderlayRequest request);
   void set_job(int id, int job) { entries_[id].job = job; }
   bool is_awaited(int id, int reading) const;
   void take(int id, UnderlayData data);
+  void fail(int id);  ///< there is nothing to show until the project has changed
   void forget(int id);
+  InventoryId frame_of(int id) const;  ///< with which it was read last
   std::optional<int> job_of(int id) const;
   /// The file has to be read (again) to lie where this says: other georeference, other frame, or stems beyond what was read.
   bool is_stale(int id, const UnderlayRequest& now) const;
@@ -40,6 +42,7 @@ class UnderlayHost {
  private:
   struct Entry {
     UnderlayRequest request;
+    InventoryId frame;
     int reading = 0;
     std::optional<int> job;
     std::optional<UnderlayData> data;

@@ -49,15 +49,16 @@ UnderlayRequest request_of(const WindowModel& m, const ui::Underlay& underlay) {
 
 std::string words_for(const RasterUnderlay& r) {
   const std::string system = r.system.empty() ? "local coordinates" : r.system;
-  return (r.is_terrain ? "Shaded relief, " : "") + ui::fixed(r.pixel_m, r.pixel_m < 0.1 ? 3 : 2) + " m per pixel, " + system;
+  return (r.is_terrain ? "Shaded relief, " : "") + ui::fixed(r.pixel_m, r.pixel_m < 0.1 ? 3 : 2) + " m per pixel; " + system;
 }
 
 std::string words_for(const CloudUnderlay& c) {
   const std::string system = c.system.empty() ? "local coordinates" : c.system;
-  return ui::count_text(c.points_in_file) + " points, " + ui::count_text(static_cast<std::int64_t>(c.points.size())) + " kept: one per " + ui::fixed(100.0 * c.spacing_m, 0) + " cm at most, " + system;
+  return ui::count_text(c.points_in_file) + " points, " + ui::count_text(static_cast<std::int64_t>(c.points.size())) + " kept, one per " + ui::fixed(100.0 * c.spacing_m, 0) + " cm; " + system;
 }
 
 void show(ui::Underlay& u, const UnderlayData& data) {
+  u.is_local = std::visit([](const auto& read) { return read->system.empty(); }, data);
   const bool is_new = u.state != ui::Underlay::State::shown && !u.is_remembered;
   u.state = ui::Underlay::State::shown;
   if (const auto* raster = std::get_if<0>(&data)) {
@@ -68,7 +69,7 @@ void show(ui::Underlay& u, const UnderlayData& data) {
   u.about = words_for(cloud);
   u.has_colour = cloud.has_colour;
   u.has_intensity = cloud.has_intensity;
-  if (is_new) u.shade = cloud.has_colour ? ui::CloudShade::colour : cloud.has_intensity ? ui::CloudShade::intensity : ui::CloudShade::height;
+  if (is_new) u.shade = cloud.has_colour ? ui::CloudShade::colour : ui::CloudShade::height;
 }
 
 JobVerdict refuse(WindowModel& m, int id, const Issues& issues) {
@@ -77,7 +78,7 @@ JobVerdict refuse(WindowModel& m, int id, const Issues& issues) {
   if (u->is_remembered) {  // not thrown away: a disk may be missing today, a georeference tomorrow be back
     u->state = ui::Underlay::State::failed;
     u->about = issues.empty() ? "It could not be read" : issues.front().text;
-    m.underlays.forget(id);
+    m.underlays.fail(id);
   } else {
     remove_underlay(m, id);
   }
@@ -102,7 +103,7 @@ void start_reading(WindowModel& m, ui::Underlay& u) {
   u.state = ui::Underlay::State::reading;
   u.about = "Being read";
   if (const auto earlier = m.underlays.job_of(u.id)) m.jobs.cancel(*earlier);
-  const int reading = m.underlays.begin(u.id, request);
+  const int reading = m.underlays.begin(u.id, u.frame, request);
   const int job = m.jobs.start<ReadUnderlay>(
       "Read " + file_name(u.path), JobLane::person, [request, is_cloud = u.is_cloud](const Progress& progress) { return read(request, is_cloud, progress); },
       [&m, id = u.id, reading](ReadUnderlay result) { return arrived(m, id, reading, std::move(result)); });
@@ -167,7 +168,7 @@ void tend_underlays(WindowModel& m) {
   std::vector<int> given_up;
   for (ui::Underlay& u : m.view.underlays) {
     if (was_given_up(m, u)) given_up.push_back(u.id);
-    const bool is_stale = has_changed && u.state != ui::Underlay::State::wanted && m.underlays.is_stale(u.id, request_of(m, u));
+    const bool is_stale = (has_changed || m.underlays.frame_of(u.id) != u.frame) && u.state != ui::Underlay::State::wanted && m.underlays.is_stale(u.id, request_of(m, u));
     if (u.state == ui::Underlay::State::wanted || is_stale) start_reading(m, u);
   }
   for (const int id : given_up) remove_underlay(m, id);

@@ -63,6 +63,15 @@ class FieldReader {
   std::size_t offset_ = 0;
 };
 
+/// Of a packed body: what its own head promises.
+std::uint64_t packed_bytes(const std::string& path, std::uint64_t data_at) {
+  std::ifstream in(path, std::ios::binary);
+  char head[8] = {};
+  in.seekg(static_cast<std::streamoff>(data_at));
+  in.read(head, sizeof head);
+  return sizeof head + number_at<std::uint32_t>(head, 0);
+}
+
 /// What stops a file from being read, before PCL makes room for it.
 std::optional<Issue> problem_of_pcd(const std::string& path, std::uint64_t file_bytes) {
   pcl::PCLPointCloud2 head;
@@ -71,10 +80,12 @@ std::optional<Issue> problem_of_pcd(const std::string& path, std::uint64_t file_
   int version = 0, kind = 0;
   unsigned int data_at = 0;
   if (pcl::PCDReader().readHeader(path, head, origin, orientation, version, kind, data_at) != 0) return error_in(path, "no PCD file that can be read", "save it as PCD 0.7, PLY or LAS");
+  for (const char* name : {"x", "y", "z"})
+    if (!FieldReader(head, {name}).is_known()) return error_in(path, std::string("its points have no ") + name, "save it as PCD 0.7 with x, y and z, as PLY or as LAS");
   const std::uint64_t points = static_cast<std::uint64_t>(head.width) * head.height, bytes = points * head.point_step;
   if (points > most_whole_cloud_bytes || bytes > most_whole_cloud_bytes) return too_large(path);
   constexpr int text = 0, binary = 1;
-  const std::uint64_t least = kind == text ? points * head.fields.size() : kind == binary ? bytes : 0;
+  const std::uint64_t least = kind == text ? points * head.fields.size() : kind == binary ? bytes : packed_bytes(path, data_at);
   if (data_at + least > file_bytes) return cut_off(path, points);
   return std::nullopt;
 }

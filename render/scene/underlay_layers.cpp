@@ -64,10 +64,17 @@ void UnderlayLayers::sync(const std::vector<ShownUnderlay>& shown, const SceneMo
   entries_ = std::move(next);
 }
 
-std::vector<Layer*> UnderlayLayers::layers() const {
+void UnderlayLayers::GroundForgetter::draw(const FrameView& view) {
+  if (view.is_map) return;
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+std::vector<Layer*> UnderlayLayers::layers() {
   std::vector<Layer*> all;
   for (const Entry& entry : entries_)
     if (entry.raster) all.push_back(entry.raster.get());
+  if (std::any_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.cloud != nullptr; })) all.push_back(&ground_forgetter_);
   for (const Entry& entry : entries_)
     if (entry.cloud) all.push_back(entry.cloud.get());
   return all;

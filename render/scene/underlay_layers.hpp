@@ -16,7 +16,7 @@ class UnderlayLayers {
   void forget_scene();  ///< stems or ground are others: everything is placed again
   /// Makes, places and lets go of layers so that they fit what is shown. Cheap when nothing changed.
   void sync(const std::vector<ShownUnderlay>& shown, const SceneModel& scene, const Ground& ground, bool is_map);
-  std::vector<Layer*> layers() const;  ///< pictures first, then clouds
+  std::vector<Layer*> layers();  ///< pictures first, then clouds
 
  private:
   struct Entry {
@@ -29,7 +29,14 @@ class UnderlayLayers {
   static Entry make(const ShownUnderlay& shown);
   static void place(Entry& entry, const SceneModel& scene, const Ground& ground, bool is_map);
 
+  /// The ground guessed from the stems is no wall for a cloud that has its own.
+  class GroundForgetter : public Layer {
+   public:
+    void draw(const FrameView& view) override;
+  };
+
   std::vector<Entry> entries_;
+  GroundForgetter ground_forgetter_;
 };
 
 /// How far the cloud's ground lies from that of the stems, as the median, where that is more than 2 m: another datum of

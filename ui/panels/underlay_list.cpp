@@ -39,6 +39,22 @@ void draw_shade(Widgets& w, Underlay& u, const std::string& path) {
   if (w.combo(path + "/shade", names, current, w.px(list_width - label_width))) u.shade = shades[static_cast<std::size_t>(current)];
 }
 
+/// Whose coordinates a file has that names no coordinate system.
+void draw_frame(Widgets& w, const Frame& frame, Underlay& u, const std::string& path) {
+  std::vector<InventoryId> ids;
+  std::vector<std::string> names;
+  for (const auto& inventory : frame.state().inventories) {
+    if (!frame.state().is_placed(inventory->id)) continue;
+    ids.push_back(inventory->id);
+    names.push_back(survey_label(frame.state(), inventory->id));
+  }
+  if (ids.size() < 2) return;
+  draw_label(w, "Lies with");
+  int current = static_cast<int>(std::find(ids.begin(), ids.end(), u.frame) - ids.begin());
+  if (w.combo(path + "/frame", names, current, w.px(list_width - label_width))) u.frame = ids[static_cast<std::size_t>(current)];
+  if (ImGui::IsItemHovered()) w.tooltip("The file names no coordinate system: its coordinates are those of this survey");
+}
+
 void draw_underlay(Widgets& w, Frame& frame, Underlay& u) {
   const std::string path = "underlay/" + std::to_string(u.id);
   const std::string name = std::filesystem::path(u.path).filename().string();
@@ -59,6 +75,7 @@ void draw_underlay(Widgets& w, Frame& frame, Underlay& u) {
   float percent = 100.0f * u.opacity;
   draw_label(w, "Opacity");
   if (w.slider(path + "/opacity", percent, 5.0f, 100.0f, "%.0f %%", w.px(list_width - label_width))) u.opacity = 0.01f * percent;
+  if (u.is_local) draw_frame(w, frame, u, path);
   if (!u.is_cloud) return;
   draw_heights(w, u, path);
   draw_shade(w, u, path);

@@ -126,7 +126,9 @@ void ViewportPanel::draw_tools(Widgets& w, Frame& frame, const Rect& rect) {
 }
 
 void ViewportPanel::draw_layers(Widgets& w, Frame& frame, const Rect& button) {
-  ImGui::SetNextWindowPos({button.x, button.bottom() + w.px(4)});
+  const float top = button.bottom() + w.px(4);
+  ImGui::SetNextWindowPos({button.x, top});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y - top - w.px(8)});
   if (!ImGui::BeginPopup("layers")) return;
   Layers& l = frame.view.layers;
   w.checkbox("layers/links", "Match links", l.links);

@@ -205,8 +205,11 @@ TEST_F(CloudFiles, BrokenFilesAreRefusedInWords) {
   expect_refusal(read_cloud_underlay(local(write("a.ply", "no ply at all"))), "no PLY file");
   expect_refusal(read_cloud_underlay(local(write("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\nproperty float y\nproperty float z\nend_header\n1234"))), "promises 1000 points");
   expect_refusal(read_cloud_underlay(local(write("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 99999999999\nproperty float x\nproperty float y\nproperty float z\nend_header\n1234"))), "too large");
-  expect_refusal(read_cloud_underlay(local(write("a.pcd", "VERSION 0.7\nnonsense"))), "no PCD file");
+  expect_refusal(read_cloud_underlay(local(write("a.pcd", "VERSION 0.7\nnonsense"))), "no x");
   expect_refusal(read_cloud_underlay(local(write("b.pcd", "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 500\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 500\nDATA binary\n1234"))), "promises 500 points");
+  const std::string packed = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 5\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 5\nDATA binary_compressed\n";
+  expect_refusal(read_cloud_underlay(local(write("d.pcd", packed + std::string("\x40\x00\x00\x00\x3c\x00\x00\x00 too short", 18)))), "promises 5 points");
+  expect_refusal(read_cloud_underlay(local(write("f.pcd", packed + std::string("\x0a\x00\x00\x00\x3c\x00\x00\x00 unpackable noise", 25)))), "");
   expect_refusal(read_cloud_underlay(local(write("e.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n"))), "");
 }
 
