@@ -40,7 +40,8 @@ UnderlayMemory UnderlayMemory::read(const std::string& path) {
   std::ifstream file(path);
   if (!file) return memory;
   try {
-    for (const auto& [project, list] : Json::parse(file).items()) memory.entries_[project] = list.dump();
+    const Json all = Json::parse(file);
+    for (const auto& [project, list] : all.items()) memory.entries_[project] = list.dump();
   } catch (const Json::exception&) {
     memory.entries_.clear();
   }

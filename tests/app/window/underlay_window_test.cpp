@@ -69,7 +69,7 @@ TEST_F(UnderlayWindow, ACloudIsOpenedSwitchedClippedAndTakenAway) {
   ASSERT_EQ(shown().size(), 1u);
   open_layers();
   const render::Image with = picture();
-  EXPECT_GT(test::difference(with, before), 0.1);
+  EXPECT_GT(test::difference(with, before), 0.02);
   EXPECT_NE(window().value(path + "/about").find("points"), std::string::npos);
   ASSERT_TRUE(window().click(path));
   EXPECT_TRUE(shown().empty());
@@ -78,7 +78,7 @@ TEST_F(UnderlayWindow, ACloudIsOpenedSwitchedClippedAndTakenAway) {
   window().click_at(slider.x + 0.3f * slider.width, slider.center_y());
   ASSERT_EQ(shown().size(), 1u);
   EXPECT_LT(shown()[0].high_m, 20.0);
-  EXPECT_GT(test::difference(picture(), with), 0.02);
+  EXPECT_GT(test::difference(picture(), with), 0.002);
   ASSERT_TRUE(window().click(path + "/remove"));
   window().settle();
   EXPECT_TRUE(model().view.underlays.empty());
