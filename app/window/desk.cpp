@@ -240,6 +240,12 @@ void Desk::remember(int width, int height, bool maximised) {
 
 const ui::WidgetRegistry& Desk::registry() const { return parts_->shell.registry(); }
 
+std::vector<LiveTexture> Desk::live_textures() const {
+  std::vector<LiveTexture> live = model_->viewport.live_textures();
+  for (const ui::ChartView& view : model_->charts.views()) live.push_back({view.texture, model_->charts.pictures_painted(), view.width_px, view.height_px, false});
+  return live;
+}
+
 std::string Desk::title() const {
   if (model_->document.is_empty()) return "Stemwise";
   return model_->document.title() + (model_->document.is_dirty() ? " (not saved)" : "") + " · Stemwise";

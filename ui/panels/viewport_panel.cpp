@@ -18,7 +18,7 @@ void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
 
 void ViewportPanel::draw_picture(Widgets& w, Frame& frame, const Rect& rect) {
   const ViewportPicture& picture = frame.status.viewport;
-  w.fill(rect, w.tokens().map);
+  if (picture.texture == 0) w.fill(rect, w.tokens().map);
   if (picture.texture != 0) {
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture)), {rect.x, rect.y},
                                          {rect.right(), rect.bottom()}, {0, 1}, {1, 0});
