@@ -13,6 +13,16 @@ target_link_libraries(stemwise_geographiclib INTERFACE ${GEOGRAPHICLIB_LIBRARY})
 
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo cairo cairo-pdf cairo-svg)
 
+# Not find_package(PCL): it brings VTK's and Qt's flags with it.
+find_path(PCL_INCLUDE pcl/point_cloud.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-1.15 REQUIRED)
+add_library(stemwise_pcl_io INTERFACE)
+target_include_directories(stemwise_pcl_io SYSTEM INTERFACE ${PCL_INCLUDE})
+foreach(library common io io_ply)
+  find_library(PCL_${library}_LIBRARY pcl_${library} REQUIRED)
+  target_link_libraries(stemwise_pcl_io INTERFACE ${PCL_${library}_LIBRARY})
+endforeach()
+target_link_libraries(stemwise_pcl_io INTERFACE Eigen3::Eigen)
+
 if(STEMWISE_DESKTOP)
   find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonTransforms FiltersCore FiltersGeneral FiltersSources
     IOImage ImagingCore InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)

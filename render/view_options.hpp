@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,11 @@
 #include "core/geometry/rigid_transform.hpp"
 #include "render/color_by.hpp"
 #include "render/palette.hpp"
+
+namespace stemwise {
+struct CloudUnderlay;
+struct RasterUnderlay;
+}  // namespace stemwise
 
 namespace stemwise::render {
 
@@ -21,6 +27,19 @@ struct Ghost {
 
 /// A smooth coloured surface under the marks of the map.
 enum class HeatMap { none, density, times_seen, residual };
+
+/// What a cloud's points are coloured by.
+enum class CloudShade { colour, intensity, height };
+
+/// A picture or a point cloud under the stems; one of the two. Never changed while it is shown.
+struct ShownUnderlay {
+  std::shared_ptr<const RasterUnderlay> raster;
+  std::shared_ptr<const CloudUnderlay> cloud;
+  double opacity = 1.0;
+  double low_m = -1e9, high_m = 1e9;  ///< cloud: only points so high above the ground
+  CloudShade shade = CloudShade::height;
+  bool operator==(const ShownUnderlay&) const = default;
+};
 
 /// What is shown and how; a plain value that the window keeps.
 struct ViewOptions {
@@ -43,6 +62,7 @@ struct ViewOptions {
   std::vector<StemRef> selected_stems;  ///< of inventories without a place: they have no tree yet
   TreeId hovered;
   std::optional<Ghost> ghost;
+  std::vector<ShownUnderlay> underlays;  ///< lowest first
   bool moving = false;  ///< the camera is being dragged: less detail, so that it stays smooth
   bool operator==(const ViewOptions&) const = default;
 };

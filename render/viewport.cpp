@@ -58,6 +58,7 @@ struct Viewport::Impl {
   std::optional<Flight> flight;
   double settling_s = 0.0;  ///< a turn of the wheel has no end: for a moment it counts as moving
   std::unique_ptr<ViewRenderer> renderer;
+  std::uint64_t pictures_drawn = 0;
   bool is_moved = false;    ///< by a person since the last fit: then a new size leaves the view where it is
   bool is_fit_pending = true, is_scene_stale = true, is_drawing_stale = true, is_overlay_stale = true;
 
@@ -229,8 +230,11 @@ std::uint32_t Viewport::render(PixelSize size, double scale) {
   if (s.is_scene_stale || s.is_drawing_stale) s.renderer->draw_scene(s.scene, s.ground, s.heat, projection, options);
   s.renderer->draw_overlay(s.scene, projection, options);
   s.is_scene_stale = s.is_drawing_stale = s.is_overlay_stale = false;
+  ++s.pictures_drawn;
   return s.renderer->compose(size);
 }
+
+std::uint64_t Viewport::pictures_drawn() const { return impl_->pictures_drawn; }
 
 Image Viewport::image() { return impl_->renderer ? impl_->renderer->read() : Image{}; }
 std::string Viewport::renderer_name() const { return impl_->renderer ? impl_->renderer->renderer_name() : ""; }

@@ -51,6 +51,7 @@ class Viewport {
   std::uint32_t render(PixelSize size, double scale);
   /// Looks from where the other one does: for two pictures that are shown side by side.
   void follow(const Viewport& other);
+  std::uint64_t pictures_drawn() const;  ///< goes up whenever render() draws
   bool is_dirty() const;  ///< render() would draw; nothing to do otherwise
   /// The last picture, top row first, 4 bytes a pixel. Needs the context.
   Image image();

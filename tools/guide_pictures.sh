@@ -65,4 +65,40 @@ settle
 screenshot $out/10-keys.png
 END
 "$stemwise" gui --script "$script"
+# A point cloud under the stems: what a scanner might have seen of a simulated forest.
+"$stemwise" simulate -o "$table/sim" --years 2018,2023 --stems 260 --area-ha 0.4 --seed 3 > /dev/null 2>&1
+awk -F, 'BEGIN { srand(1) }
+  NR > 1 {
+    d = ($5 > 0 ? $5 : 15) / 100; h = 1.3 + 30 * (1 - exp(-3.2 * d))
+    for (i = 0; i < 420; i++) {
+      a = 6.2832 * rand(); u = rand(); r = d / 2; z = h * 0.6 * rand()
+      if (u < 0.35) { z = 0.05 * rand(); r = 3.5 * sqrt(rand()) }
+      else if (u > 0.6) { t = rand(); z = h * (0.4 + 0.6 * t); r = (1 - t) * (1 + 5 * d) * sqrt(rand()) + 0.1 }
+      low = u < 0.35 ? 0 : z
+      printf "%.3f %.3f %.3f\n", $2 + $6 * low + r * cos(a), $3 + $7 * low + r * sin(a), $4 + z
+    }
+  }' "$table/sim/2023.csv" > "$table/points"
+{ printf 'ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\nend_header\n' "$(wc -l < "$table/points")"; cat "$table/points"; } > "$table/sim/scan_2023.ply"
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+settle
+do step.align
+click align/run
+settle
+do step.review
+do view.bottom
+do file.underlay
+settle
+click files/entry/scan_2023.ply
+click files/accept
+settle
+wait 10
+do view.mode
+settle
+click viewport/layers
+settle
+screenshot $out/13-underlay.png
+END
+"$stemwise" gui --script "$script" "$table/sim/2018.csv" "$table/sim/2023.csv"
 echo "pictures in $out"

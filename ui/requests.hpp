@@ -24,6 +24,8 @@ struct AddInventories { std::vector<std::string> paths; bool ask = false; };
 /// Of the files in the import dialog: read one again with these settings.
 struct ImportEdit { std::size_t file; ImportSettings settings; };
 struct ImportFinish { bool take; };  ///< into the project, or never mind
+struct AddUnderlays { std::vector<std::string> paths; };
+struct RemoveUnderlay { int id; };
 struct OpenProject { std::string path; };
 struct SaveProject { std::string path; };
 struct RemoveInventory { InventoryId inventory; };
@@ -67,7 +69,7 @@ struct Pointer {
 }  // namespace request
 
 using Request =
-    std::variant<request::Run, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::OpenProject, request::SaveProject,
+    std::variant<request::Run, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::AddUnderlays, request::RemoveUnderlay, request::OpenProject, request::SaveProject,
                  request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::SelectGroup, request::LinkStems,
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::SetGeoreference, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,

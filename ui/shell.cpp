@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/actions/keys.hpp"
 #include "ui/dialogs/file_browser.hpp"
@@ -48,15 +49,16 @@ bool is_bottom_empty(const Frame& frame) {
 Layout lay_out(const Widgets& w, const Frame& frame, float width, float height) {
   const ViewState& view = frame.view;
   const PanelSizes& p = view.panels;
-  const float top = w.px(MenuBar::height);
-  const float body_top = top + w.px(StepBar::height);
-  const float body_bottom = height - w.px(StatusBar::height);
-  const float left = p.show_left ? std::min(w.px(p.left), 0.35f * width) : 0.0f;
-  const float right = p.show_right ? std::min(w.px(p.right), 0.40f * width) : 0.0f;
+  // Whole pixels: the map's picture is then copied as it is.
+  const float top = std::round(w.px(MenuBar::height));
+  const float body_top = std::round(top + w.px(StepBar::height));
+  const float body_bottom = std::round(height - w.px(StatusBar::height));
+  const float left = p.show_left ? std::round(std::min(w.px(p.left), 0.35f * width)) : 0.0f;
+  const float right = p.show_right ? std::round(std::min(w.px(p.right), 0.40f * width)) : 0.0f;
   const float wanted = is_bottom_empty(frame) ? std::min(w.px(p.bottom), w.px(108)) : w.px(p.bottom);
-  const float bottom = p.show_bottom ? std::min(wanted, 0.46f * (body_bottom - body_top)) : 0.0f;
+  const float bottom = p.show_bottom ? std::round(std::min(wanted, 0.46f * (body_bottom - body_top))) : 0.0f;
   Layout l;
-  l.steps = {0, top, width, w.px(StepBar::height)};
+  l.steps = {0, top, width, body_top - top};
   l.left = {0, body_top, left, body_bottom - body_top};
   l.right = {width - right, body_top, right, body_bottom - body_top};
   l.middle = {left, body_top, width - left - right, body_bottom - body_top - bottom};
@@ -238,6 +240,7 @@ void Shell::Impl::start_browsing(Frame& frame) {
     case Dialog::open_project: mode = {"Open a project", "Open", {".gpkg"}, false, false, ""}; break;
     case Dialog::add_inventories: mode = {"Add inventories", "Add", {}, false, true, ""}; break;
     case Dialog::import_inventories: mode = {"Import with options", "Look at them", {}, false, true, ""}; break;
+    case Dialog::add_underlay: mode = {"Add an underlay", "Add", {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".vrt", ".asc", ".las", ".laz", ".pcd", ".ply"}, false, false, ""}; break;
     case Dialog::save_project: mode = {"Save the project", "Save", {".gpkg"}, true, false, title + ".gpkg"}; break;
     case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".csv", ".xlsx", ".geojson", ".shp", ".kml", ".dxf", ".fgb"}, true, false, title + "-trees.gpkg"}; break;
     default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv"}, true, false, title + "-growth.html"}; break;
@@ -252,6 +255,7 @@ void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& 
     case Dialog::open_project: frame.requests.emit(request::OpenProject{paths.front()}); break;
     case Dialog::add_inventories: frame.requests.emit(request::AddInventories{paths}); break;
     case Dialog::import_inventories: frame.requests.emit(request::AddInventories{paths, true}); break;
+    case Dialog::add_underlay: frame.requests.emit(request::AddUnderlays{paths}); break;
     case Dialog::save_project: frame.requests.emit(request::SaveProject{paths.front()}); break;
     case Dialog::export_path: report.set_export_path(paths.front()); break;
     default: report.set_report_path(paths.front()); break;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/base/ids.hpp"
 #include "core/survey/fate.hpp"
@@ -16,7 +17,7 @@ enum class Tool { select, rectangle, measure, link, swap, merge };
 enum class Heat { none, density, times_seen, residual };
 enum class ColorBy { inventory, fate, dbh, growth, residual, confidence, times_seen };
 enum class BottomTab { queue, matches, growth, log, jobs };
-enum class Dialog { none, open_project, add_inventories, import_inventories, import, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
+enum class Dialog { none, open_project, add_inventories, import_inventories, import, add_underlay, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
 
 /// What is laid over the map and the 3D view.
 struct Layers {
@@ -25,8 +26,30 @@ struct Layers {
   bool grid = true;
   bool ground = true;
   bool labels = false;
+  bool underlays = true;
   bool residuals = false;  ///< arrows from sighting to sighting, lengthened
   bool operator==(const Layers&) const = default;
+};
+
+enum class CloudShade { colour, intensity, height };
+
+/// An image or a point cloud under the stems: how the person wants it, and what `app` has to say about it.
+struct Underlay {
+  enum class State { wanted, reading, shown, failed };
+  int id = 0;
+  std::string path;
+  bool is_cloud = false;
+  InventoryId frame;               ///< whose coordinates it has where it names no system
+  bool is_local = false;           ///< it names none
+  bool visible = true;
+  float opacity = 0.8f;
+  float low_m = lowest_m, high_m = highest_m;  ///< cloud: only points between these heights above the ground; the ends mean no limit
+  CloudShade shade = CloudShade::height;
+  bool has_colour = false, has_intensity = false;
+  bool is_remembered = false;      ///< of the last time: stays in the list also when it cannot be read
+  State state = State::wanted;
+  std::string about;               ///< what it is, or why it is not there
+  static constexpr float lowest_m = -2.0f, highest_m = 40.0f;
 };
 
 /// Sizes of the panels at 100 %, and which are folded away.
@@ -48,6 +71,7 @@ struct ViewState {
   ColorBy color_by = ColorBy::fate;
   BottomTab tab = BottomTab::queue;
   Layers layers;
+  std::vector<Underlay> underlays;  ///< lowest first
   std::set<InventoryId> hidden;
   std::optional<Fate> only_fate;   ///< the map and the tables show only these
   TreeId selected_tree;

@@ -15,6 +15,8 @@ struct Answer {
   void operator()(const request::AddInventories& r) const { add_inventories(m, r.paths, r.ask); }
   void operator()(const request::ImportEdit& r) const { edit_import(m, r); }
   void operator()(const request::ImportFinish& r) const { finish_import(m, r.take); }
+  void operator()(const request::AddUnderlays& r) const { add_underlays(m, r.paths); }
+  void operator()(const request::RemoveUnderlay& r) const { remove_underlay(m, r.id); }
   void operator()(const request::OpenProject& r) const {
     leave_then(m, [&model = m, path = r.path] { open_project(model, path); });
   }

@@ -58,6 +58,7 @@ void ChartHost::paint(ui::Chart chart, const Key& key, const Document& document)
   const render::ChartPicture picture = render::paint_chart(painted.model, key.style);
   painted.layout = picture.layout;
   upload(views_[static_cast<std::size_t>(chart)], picture.image);
+  ++pictures_painted_;
   news_ = true;
 }
 

@@ -23,6 +23,7 @@ class ChartHost {
   std::vector<TreeId> show(const ui::request::ShowChart& ask, const Document& document, const ui::ViewState& view, double scale);
   const ui::ChartViews& views() const { return views_; }
   /// True once after something was painted: the window has to be drawn again to show it.
+  std::uint64_t pictures_painted() const { return pictures_painted_; }
   bool take_news() { return std::exchange(news_, false); }
 
  private:
@@ -42,6 +43,7 @@ class ChartHost {
 
   std::array<Painted, ui::chart_count> painted_;
   ui::ChartViews views_;
+  std::uint64_t pictures_painted_ = 0;
   bool news_ = false;
 };
 

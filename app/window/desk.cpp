@@ -55,6 +55,7 @@ Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>())
     m.preferences = read_preferences(preferences_file(options.config_folder));
     m.autosave_folder = options.config_folder + "/autosave";
     parts_->autosave = std::make_unique<Autosave>(m.autosave_folder);
+    m.underlay_memory = UnderlayMemory::read(options.config_folder + "/underlays.json");
     m.import_memory = ImportMemory::read(options.config_folder + "/imports.json");
     apply_preferences(m.preferences, m.view);
   }
@@ -114,7 +115,7 @@ void Desk::frame(double elapsed_s) {
   poll(elapsed_s);
   start_deriving();
   WindowModel& m = *model_;
-  m.viewport.update(m.document, m.view, parts_->now_s);
+  m.viewport.update(m.document, m.view, m.underlays.shown(m.view), parts_->now_s);
   parts_->moving = m.viewport.advance(elapsed_s, m.view);
   m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), model_->scale);
   refresh_status();
@@ -126,6 +127,7 @@ void Desk::poll(double elapsed_s) {
   m.notices.advance(elapsed_s);
   if (m.jobs.poll()) parts_->busy_frames = 3;
   if (parts_->autosave) parts_->autosave->tend(m);
+  tend_underlays(m);
 }
 
 void Desk::start_deriving() {
@@ -185,7 +187,13 @@ double Desk::seconds_to_next_frame() const {
   return 10.0;
 }
 
-void Desk::drop(const std::vector<std::string>& paths) {
+void Desk::drop(const std::vector<std::string>& dropped) {
+  std::vector<std::string> paths = dropped, underlays;
+  const auto first = std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) { return !is_underlay(path); });
+  underlays.assign(first, paths.end());
+  paths.erase(first, paths.end());
+  if (!underlays.empty()) add_underlays(*model_, underlays);
+  if (paths.empty()) return;
   if (paths.size() == 1 && is_project(paths.front()) && model_->document.is_empty()) {
     open_project(*model_, paths.front());
   } else {
@@ -226,10 +234,17 @@ void Desk::remember(int width, int height, bool maximised) {
   p.zoom_percent = model_->view.zoom_percent;
   p.panels = model_->view.panels;
   p.layers = model_->view.layers;
+  remember_underlays(*model_);
   write_preferences(preferences_file(parts_->config_folder), p);
 }
 
 const ui::WidgetRegistry& Desk::registry() const { return parts_->shell.registry(); }
+
+std::vector<LiveTexture> Desk::live_textures() const {
+  std::vector<LiveTexture> live = model_->viewport.live_textures();
+  for (const ui::ChartView& view : model_->charts.views()) live.push_back({view.texture, model_->charts.pictures_painted(), view.width_px, view.height_px, false});
+  return live;
+}
 
 std::string Desk::title() const {
   if (model_->document.is_empty()) return "Stemwise";

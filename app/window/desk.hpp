@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/window/frame_damage.hpp"
 #include "ui/widgets/registry.hpp"
 
 namespace stemwise {
@@ -39,6 +40,8 @@ class Desk {
   const WindowModel& model() const { return *model_; }
   const ui::WidgetRegistry& registry() const;
   std::string title() const;
+  /// The map or 3D view and the charts, as the last frame showed them.
+  std::vector<LiveTexture> live_textures() const;
 
  private:
   struct Parts;

@@ -23,6 +23,8 @@ void reset_view(WindowModel& m) {
   m.view.group.clear();
   m.view.queue = {};
   m.view.tool = ui::Tool::select;
+  m.view.underlays.clear();
+  m.underlays = {};
   m.rough_poses.clear();
   m.walk = {};
 }
@@ -40,11 +42,13 @@ JobVerdict take_project(WindowModel& m, const std::string& path, Result<ProjectS
     m.preferences.forget_project(path);
     return {false, "not opened"};
   }
+  remember_underlays(m);
   m.document.replace(std::move(*read), path, true);
   m.preferences.remember_project(path);
   m.saved_at.reset();
   reset_view(m);
   show_fitting_step(m);
+  restore_underlays(m);
   return {true, ui::plural(static_cast<std::int64_t>(m.document.state().inventories.size()), "inventory", "inventories")};
 }
 
@@ -57,6 +61,7 @@ JobVerdict take_saved(WindowModel& m, const std::string& path, std::uint64_t rev
   m.document.set_path(path);
   m.document.mark_saved(revision);
   m.preferences.remember_project(path);
+  remember_underlays(m);
   m.saved_at = std::chrono::steady_clock::now();
   if (std::exchange(m.leaves_after_saving, false) && m.after_leaving && !m.document.is_dirty()) std::exchange(m.after_leaving, nullptr)();
   return {true, "written to " + path};
@@ -100,6 +105,7 @@ void remember_folder(WindowModel& m, const std::string& path) {
 }
 
 void new_project(WindowModel& m) {
+  remember_underlays(m);
   m.document.replace(ProjectState{}, "", true);
   reset_view(m);
   m.view.step = ui::Step::inventories;
@@ -181,6 +187,7 @@ void answer_recovery(WindowModel& m, bool bring_back) {
         m.document.replace(std::move(*read), autosave_origin(file).path, false);
         reset_view(m);
         show_fitting_step(m);
+        restore_underlays(m);
         discard_autosave(file);
         return {true, "brought back"};
       });

@@ -27,6 +27,8 @@ GlTarget::~GlTarget() {
 
 void GlTarget::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
 
+void GlTarget::bind_to_read() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_); }
+
 render::Image GlTarget::read() const {
   bind();
   const std::size_t row = static_cast<std::size_t>(width_) * 4;
@@ -39,13 +41,6 @@ render::Image GlTarget::read() const {
   }
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
   return image;
-}
-
-void clear_frame(int width, int height) {
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glClearColor(0.95f, 0.96f, 0.95f, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
 }
 
 }  // namespace stemwise

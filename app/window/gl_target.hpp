@@ -13,6 +13,7 @@ class GlTarget {
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;
   void bind() const;
+  void bind_to_read() const;
   render::Image read() const;  ///< top row first
 
  private:
@@ -21,8 +22,5 @@ class GlTarget {
   int width_ = 0;
   int height_ = 0;
 };
-
-/// Fills the bound framebuffer with the window's background.
-void clear_frame(int width, int height);
 
 }  // namespace stemwise

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/window/gl_target.hpp"
+#include "app/window/retained_frame.hpp"
 #include "app/window/window_model.hpp"
 #include "render/surfaceless_context.hpp"
 
@@ -29,7 +29,7 @@ void map_keys(ImGuiIO& io) {
 struct HeadlessWindow::Parts {
   std::unique_ptr<render::SurfacelessContext> context;
   ImGuiContext* imgui = nullptr;
-  std::unique_ptr<GlTarget> target;
+  std::unique_ptr<RetainedFrame> picture;
   std::unique_ptr<Desk> desk;
   int width = 0, height = 0;
   float scale = 1.0f;
@@ -40,7 +40,7 @@ struct HeadlessWindow::Parts {
       ImGui_ImplOpenGL3_Shutdown();
       ImGui::DestroyContext(imgui);
     }
-    target.reset();
+    picture.reset();
   }
 };
 
@@ -62,7 +62,7 @@ Result<std::unique_ptr<HeadlessWindow>> HeadlessWindow::create(const HeadlessOpt
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
   map_keys(io);
   ImGui_ImplOpenGL3_Init("#version 150");
-  p.target = std::make_unique<GlTarget>(p.width, p.height);
+  p.picture = std::make_unique<RetainedFrame>();
   p.desk = std::make_unique<Desk>(options.desk);
   window->frames(3);
   return window;
@@ -76,15 +76,16 @@ void HeadlessWindow::frame() {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(p.width), static_cast<float>(p.height)};
   io.DeltaTime = frame_s;
-  if (p.desk->prepare(p.scale)) ImGui_ImplOpenGL3_DestroyFontsTexture();
+  if (p.desk->prepare(p.scale)) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    p.picture->forget();
+  }
   ImGui_ImplOpenGL3_NewFrame();
   if (io.Fonts->TexID == nullptr) ImGui_ImplOpenGL3_CreateFontsTexture();
   ImGui::NewFrame();
   p.desk->frame(frame_s);
   ImGui::Render();
-  p.target->bind();
-  clear_frame(p.width, p.height);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  p.picture->draw(*ImGui::GetDrawData(), p.width, p.height, p.desk->live_textures());
 }
 
 void HeadlessWindow::frames(int count) {
@@ -205,12 +206,11 @@ bool HeadlessWindow::fill(const std::string& path, const std::string& text) {
   return true;
 }
 
-Result<Done> HeadlessWindow::screenshot(const std::string& path) { return render::write_png(parts_->target->read(), path); }
+Result<Done> HeadlessWindow::screenshot(const std::string& path) { return render::write_png(parts_->picture->read(), path); }
 
 void HeadlessWindow::resize(int width, int height) {
   parts_->width = width;
   parts_->height = height;
-  parts_->target = std::make_unique<GlTarget>(width, height);
   frames(4);
 }
 

@@ -43,6 +43,14 @@ void add_inventories(WindowModel& model, const std::vector<std::string>& paths, 
 void edit_import(WindowModel& model, const ui::request::ImportEdit& edit);
 void finish_import(WindowModel& model, bool take_them);
 
+// Underlays (underlay_requests.cpp).
+/// Files that are neither image nor point cloud are named in a notice.
+void add_underlays(WindowModel& model, const std::vector<std::string>& paths);
+void remove_underlay(WindowModel& model, int id);
+void restore_underlays(WindowModel& model);   ///< those of the open project's last time
+void remember_underlays(WindowModel& model);  ///< for the next time; nothing for a project without a file
+void tend_underlays(WindowModel& model);      ///< every frame: reads what is wanted, and again what the project has moved
+
 // Files (file_requests.cpp).
 void remember_folder(WindowModel& model, const std::string& path);  ///< where the next file dialog starts
 void new_project(WindowModel& model);

@@ -17,6 +17,7 @@ bool run_file_action(WindowModel& m, ActionId action) {
     case file_open: leave_then(m, [&m] { m.view.dialog = ui::Dialog::open_project; }); return true;
     case file_add: m.view.dialog = ui::Dialog::add_inventories; return true;
     case file_import: m.view.dialog = ui::Dialog::import_inventories; return true;
+    case file_underlay: m.view.dialog = ui::Dialog::add_underlay; return true;
     case file_demo: leave_then(m, [&m] { add_demo(m); }); return true;
     case file_save: m.leaves_after_saving = false; save(m); return true;
     case file_save_as: m.leaves_after_saving = false; m.view.dialog = ui::Dialog::save_project; return true;
@@ -54,6 +55,7 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_coverage: toggle(v.layers.coverage); return true;
     case view_grid: toggle(v.layers.grid); return true;
     case view_labels: toggle(v.layers.labels); return true;
+    case view_underlays: toggle(v.layers.underlays); return true;
     case view_left: toggle(v.panels.show_left); return true;
     case view_right: toggle(v.panels.show_right); return true;
     case view_bottom: toggle(v.panels.show_bottom); return true;

@@ -13,12 +13,13 @@
 #include <iostream>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/platform/folders.hpp"
 #include "app/window/desk.hpp"
-#include "app/window/gl_target.hpp"
 #include "app/window/headless_window.hpp"
+#include "app/window/retained_frame.hpp"
 #include "app/window/window_model.hpp"
 #include "app/window/window_script.hpp"
 
@@ -109,6 +110,7 @@ class KeyQueue {
 struct WindowEvents {
   Desk& desk;
   KeyQueue keys;
+  bool is_uncovered = false;  ///< the display wants the picture again
 };
 
 WindowEvents& events_of(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
@@ -119,13 +121,18 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
   events_of(window).desk.drop({paths, paths + count});
 }
 
+void on_refresh(GLFWwindow* window) { events_of(window).is_uncovered = true; }
+
 void on_close(GLFWwindow* window) {
   glfwSetWindowShouldClose(window, GLFW_FALSE);
   events_of(window).desk.ask_to_close();
 }
 
-void draw_frame(const GlfwWindow& window, Desk& desk, double elapsed_s) {
-  if (desk.prepare(window.content_scale())) ImGui_ImplOpenGL3_DestroyFontsTexture();
+void draw_frame(const GlfwWindow& window, Desk& desk, RetainedFrame& picture, bool is_uncovered, double elapsed_s) {
+  if (desk.prepare(window.content_scale())) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    picture.forget();
+  }
   ImGui_ImplOpenGL3_NewFrame();
   if (ImGui::GetIO().Fonts->TexID == nullptr) ImGui_ImplOpenGL3_CreateFontsTexture();
   ImGui_ImplGlfw_NewFrame();
@@ -134,8 +141,8 @@ void draw_frame(const GlfwWindow& window, Desk& desk, double elapsed_s) {
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window.handle(), &width, &height);
-  clear_frame(width, height);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (!picture.draw(*ImGui::GetDrawData(), width, height, desk.live_textures()) && !is_uncovered) return;
+  picture.present();
   glfwSwapBuffers(window.handle());
 }
 
@@ -162,7 +169,9 @@ bool wait_for_event(double wait_s, const std::atomic<bool>& interrupted) {
   return false;
 }
 
-void loop(const GlfwWindow& window, Desk& desk, KeyQueue& keys, const WindowOptions& options, const std::atomic<bool>& interrupted) {
+void loop(const GlfwWindow& window, WindowEvents& events, const WindowOptions& options, const std::atomic<bool>& interrupted) {
+  Desk& desk = events.desk;
+  RetainedFrame picture;
   double last = glfwGetTime();
   int frames_after_event = 3;
   std::string registry, title;
@@ -172,10 +181,10 @@ void loop(const GlfwWindow& window, Desk& desk, KeyQueue& keys, const WindowOpti
     if (wait <= 0.0) glfwPollEvents();
     const bool event = wait_for_event(wait, interrupted);
     if (interrupted) break;
-    frames_after_event = event || !keys.is_empty() ? 3 : std::max(0, frames_after_event - 1);
-    keys.deliver(window.handle());
+    frames_after_event = event || !events.keys.is_empty() ? 3 : std::max(0, frames_after_event - 1);
+    events.keys.deliver(window.handle());
     const double now = glfwGetTime();
-    draw_frame(window, desk, now - last);
+    draw_frame(window, desk, picture, std::exchange(events.is_uncovered, false), now - last);
     last = now;
     if (desk.title() != title) glfwSetWindowTitle(window.handle(), (title = desk.title()).c_str());
     if (!options.ui_json.empty()) write_registry(options.ui_json, desk, registry);
@@ -193,12 +202,13 @@ int run_on_display(const WindowOptions& options, const std::atomic<bool>& interr
   }
   Desk desk({options.paths, config});
   desk.model().jobs.on_news([] { glfwPostEmptyEvent(); });
-  WindowEvents events{desk, {}};
+  WindowEvents events{desk, {}, true};
   glfwSetWindowUserPointer(window.handle(), &events);
   glfwSetKeyCallback(window.handle(), on_key);  // in the place of ImGui's, which it calls
   glfwSetDropCallback(window.handle(), on_drop);
+  glfwSetWindowRefreshCallback(window.handle(), on_refresh);
   glfwSetWindowCloseCallback(window.handle(), on_close);
-  loop(window, desk, events.keys, options, interrupted);
+  loop(window, events, options, interrupted);
   if (interrupted) desk.keep_unsaved_work();
   int width = 0, height = 0;
   glfwGetWindowSize(window.handle(), &width, &height);

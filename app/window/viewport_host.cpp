@@ -47,7 +47,7 @@ std::string dbh_span(const TreeRow& tree) {
 
 }  // namespace
 
-void ViewportHost::update(const Document& document, const ui::ViewState& view, double now_s) {
+void ViewportHost::update(const Document& document, const ui::ViewState& view, std::vector<render::ShownUnderlay> underlays, double now_s) {
   render::ViewOptions options;
   options.kind = view.mode == ui::ViewMode::map ? render::ViewKind::map : render::ViewKind::space;
   options.color_by = color_by(view.color_by);
@@ -66,6 +66,7 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, d
   if (!view.selected_tree && view.selected_stem.index >= 0) options.selected_stems = {view.selected_stem};
   options.hovered = hovered_;
   options.moving = dragging_;
+  options.underlays = std::move(underlays);
   viewport_.set_options(options);
   viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
   update_later(document, view, options);
@@ -87,14 +88,18 @@ void ViewportHost::update_later(const Document& document, const ui::ViewState& v
 
 ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
   const render::PixelSize size{static_cast<int>(std::lround(rect.width)), static_cast<int>(std::lround(rect.height))};
+  live_.clear();
   if (size.width < 8 || size.height < 8) return {};
   shown_ = {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   const std::uint32_t texture = viewport_.render(size, scale);
   if (renderer_.empty()) renderer_ = viewport_.renderer_name();
+  live_.push_back({texture, viewport_.pictures_drawn(), size.width, size.height, true});
   if (!later_) return {texture, size.width, size.height};
   later_->resize(size, scale);
   later_->follow(viewport_);
-  return {texture, size.width, size.height, later_->render(size, scale), earlier_name_, later_name_};
+  const std::uint32_t later = later_->render(size, scale);
+  live_.push_back({later, later_->pictures_drawn(), size.width, size.height, true});
+  return {texture, size.width, size.height, later, earlier_name_, later_name_};
 }
 
 bool ViewportHost::advance(double elapsed_s, const ui::ViewState& view) {

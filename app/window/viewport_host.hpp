@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/window/document.hpp"
+#include "app/window/frame_damage.hpp"
 #include "render/viewport.hpp"
 #include "ui/requests.hpp"
 #include "ui/view_state.hpp"
@@ -14,7 +15,7 @@ namespace stemwise {
 class ViewportHost {
  public:
   /// Mirrors project and view; cheap when nothing changed.
-  void update(const Document& document, const ui::ViewState& view, double now_s);
+  void update(const Document& document, const ui::ViewState& view, std::vector<render::ShownUnderlay> underlays, double now_s);
   /// Needs the GL context. An empty picture for an empty rectangle.
   ui::ViewportPicture render(const ui::Rect& rect, double scale);
   /// Steps flights and blinking; true while something moves and the window has to be drawn again.
@@ -32,6 +33,7 @@ class ViewportHost {
 
   /// Fills hover card, cursor coordinates, measuring and legend.
   void describe(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
+  const std::vector<LiveTexture>& live_textures() const { return live_; }  ///< of the pictures that render() gave
   std::string renderer_name() const { return renderer_; }
   const render::Viewport& viewport() const { return viewport_; }
 
@@ -55,6 +57,7 @@ class ViewportHost {
   ui::Rect shown_;               ///< the picture, in pixels
   std::optional<Eigen::Vector2d> cursor_px_;
   std::vector<Eigen::Vector3d> measured_;  ///< 0, 1 or 2 points in the reference's frame
+  std::vector<LiveTexture> live_;
   bool dragging_ = false;
   std::string renderer_;
 };

@@ -11,6 +11,8 @@
 #include "app/window/pending_import.hpp"
 #include "app/window/preferences.hpp"
 #include "app/window/review_walk.hpp"
+#include "app/window/underlay_host.hpp"
+#include "app/window/underlay_memory.hpp"
 #include "app/window/viewport_host.hpp"
 #include "core/survey/align_surveys.hpp"
 #include "ui/actions/action.hpp"
@@ -28,6 +30,8 @@ struct WindowModel {
   NoticeList notices;
   ViewportHost viewport;
   ChartHost charts;
+  UnderlayHost underlays;
+  UnderlayMemory underlay_memory;
   std::vector<PendingImport> imports;              ///< in the import dialog, in the order of status.imports
   ImportMemory import_memory;
   ReviewWalk walk;                                 ///< through the queue, by N and P

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "render/palette.hpp"
 #include "render/picture.hpp"
@@ -19,6 +20,8 @@ struct FrameView {
   double fill_alpha = 0.34;       ///< of the map's circles
   double fog_start_m = 1e9, fog_end_m = 2e9;
   bool is_moving = false;
+  bool is_map = true;
+  std::size_t most_points = 1'000'000;  ///< of one cloud
   Theme theme = Theme::light;
 };
 

@@ -12,6 +12,7 @@
 #include "render/scene/line_layer.hpp"
 #include "render/scene/stem_layer.hpp"
 #include "render/scene/surfaces.hpp"
+#include "render/scene/underlay_layers.hpp"
 #include "render/scene/vtk_stage.hpp"
 
 namespace stemwise::render {
@@ -20,6 +21,8 @@ namespace {
 constexpr double most_supersampled_pixels = 6.0e6;
 constexpr double grid_px = 52.0;  ///< least distance of grid lines, interface pixels
 constexpr std::size_t many_marks = 60'000;
+constexpr std::size_t most_points_at_rest = 700'000;
+constexpr std::size_t most_points_moving = 60'000;  // where the processor draws
 
 std::string gl_renderer() {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -33,6 +36,7 @@ struct ViewRenderer::Impl {
   Compositor compositor;
   DiscLayer discs, ghost_discs;
   StemLayer stems, ghost_stems;
+  UnderlayLayers underlays;
   LineLayer grid{false}, map_lines{false}, map_links{false}, ground_grid{true}, space_links{true};
   bool is_map_stale = true, is_space_stale = true, surfaces_stale = true;
   ViewKind surfaces_of_kind = ViewKind::map;
@@ -96,8 +100,12 @@ struct ViewRenderer::Impl {
   }
 
   std::vector<Layer*> layers(const SceneModel& scene, const ViewOptions& options) {
-    if (options.kind == ViewKind::space) return {&ground_grid, &stems, &ghost_stems, &space_links};
-    std::vector<Layer*> shown{&grid, &map_lines, &discs, &ghost_discs};
+    std::vector<Layer*> shown = underlays.layers();
+    if (options.kind == ViewKind::space) {
+      shown.insert(shown.end(), {&ground_grid, &stems, &ghost_stems, &space_links});
+      return shown;
+    }
+    shown.insert(shown.end(), {&grid, &map_lines, &discs, &ghost_discs});
     if (!options.moving || !is_software || scene.links.size() < many_marks / 3 || options.residuals) shown.push_back(&map_links);
     return shown;
   }
@@ -113,7 +121,10 @@ ViewRenderer::ViewRenderer() {
 
 ViewRenderer::~ViewRenderer() = default;
 
-void ViewRenderer::forget_scene() { impl_->is_map_stale = impl_->is_space_stale = impl_->surfaces_stale = true; }
+void ViewRenderer::forget_scene() {
+  impl_->is_map_stale = impl_->is_space_stale = impl_->surfaces_stale = true;
+  impl_->underlays.forget_scene();
+}
 
 void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, const HeatGrid& heat, const Projection& projection,
                               const ViewOptions& options) {
@@ -121,10 +132,13 @@ void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, con
   if (is_map && impl_->is_map_stale) impl_->fill_map(scene, heat, options);
   if (!is_map && impl_->is_space_stale) impl_->fill_space(scene, ground, options);
   if (impl_->surfaces_stale || impl_->surfaces_of_kind != options.kind) impl_->place_surfaces(scene, ground, heat, options);
+  impl_->underlays.sync(options.underlays, scene, ground, is_map);
   const double resolution = impl_->resolution(scene, projection, options);
   const PixelSize size{std::max(1, static_cast<int>(std::lround(projection.size.width * resolution))),
                        std::max(1, static_cast<int>(std::lround(projection.size.height * resolution)))};
-  FrameView view{.size = size, .px_scale = projection.px_scale * resolution, .dbh_exaggeration = projection.dbh_exaggeration, .is_moving = options.moving, .theme = options.theme};
+  FrameView view{.size = size, .px_scale = projection.px_scale * resolution, .dbh_exaggeration = projection.dbh_exaggeration, .is_moving = options.moving, .is_map = is_map, .theme = options.theme};
+  const auto clouds = std::count_if(options.underlays.begin(), options.underlays.end(), [](const ShownUnderlay& u) { return u.cloud != nullptr; });
+  view.most_points = (options.moving && impl_->is_software ? most_points_moving : most_points_at_rest) / static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, clouds));
   if (is_map) {
     impl_->fill_grid(scene, projection, options);
     view.px_per_m = resolution / projection.map.metres_per_px;

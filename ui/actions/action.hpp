@@ -6,9 +6,9 @@
 namespace stemwise::ui {
 
 enum class ActionId {
-  file_new, file_open, file_add, file_import, file_demo, file_save, file_save_as, file_quit,
+  file_new, file_open, file_add, file_import, file_underlay, file_demo, file_save, file_save_as, file_quit,
   edit_undo, edit_redo, edit_history, edit_make_reference, edit_remove_inventory,
-  view_mode, view_fit, view_focus, view_blink, view_slide, view_links, view_residuals, view_coverage, view_grid, view_labels,
+  view_mode, view_fit, view_focus, view_blink, view_slide, view_links, view_residuals, view_coverage, view_grid, view_labels, view_underlays,
   view_left, view_right, view_bottom, view_theme, view_reduce_motion, view_zoom_in, view_zoom_out,
   color_inventory, color_fate, color_dbh, color_growth, color_residual, color_confidence, color_times_seen,
   heat_density, heat_times_seen, heat_residual,

@@ -31,7 +31,8 @@ void project_reasons(Reasons& r, const Project& project, const ViewState& view, 
   const bool busy = status.running() != nullptr;
   r.unless(!busy, {file_new, file_open, file_demo, align_run}, "Wait until the running job is done, or cancel it");
   r.unless(busy, {align_cancel}, "No job is running");
-  r.unless(!state.inventories.empty(), {file_save, file_save_as, view_fit, view_blink}, "Add inventories first");
+  r.unless(!state.inventories.empty(), {file_save, file_save_as, file_underlay, view_fit, view_blink}, "Add inventories first");
+  r.unless(!view.underlays.empty(), {view_underlays}, "There is no underlay: add one in the menu File");
   r.unless(project.can_undo(), {edit_undo}, "Nothing to undo");
   r.unless(project.can_redo(), {edit_redo}, "Nothing to redo");
   r.unless(project.can_undo() || project.can_redo(), {edit_history}, "Nothing has been changed yet");

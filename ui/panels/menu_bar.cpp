@@ -15,6 +15,7 @@ bool is_on(const Frame& frame, ActionId id) {
     case ActionId::view_coverage: return v.layers.coverage;
     case ActionId::view_grid: return v.layers.grid;
     case ActionId::view_labels: return v.layers.labels;
+    case ActionId::view_underlays: return v.layers.underlays;
     case ActionId::view_left: return v.panels.show_left;
     case ActionId::view_right: return v.panels.show_right;
     case ActionId::view_bottom: return v.panels.show_bottom;

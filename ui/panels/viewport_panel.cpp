@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/underlay_list.hpp"
+
 namespace stemwise::ui {
 
 void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
@@ -16,7 +18,7 @@ void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
 
 void ViewportPanel::draw_picture(Widgets& w, Frame& frame, const Rect& rect) {
   const ViewportPicture& picture = frame.status.viewport;
-  w.fill(rect, w.tokens().map);
+  if (picture.texture == 0) w.fill(rect, w.tokens().map);
   if (picture.texture != 0) {
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture)), {rect.x, rect.y},
                                          {rect.right(), rect.bottom()}, {0, 1}, {1, 0});
@@ -124,7 +126,9 @@ void ViewportPanel::draw_tools(Widgets& w, Frame& frame, const Rect& rect) {
 }
 
 void ViewportPanel::draw_layers(Widgets& w, Frame& frame, const Rect& button) {
-  ImGui::SetNextWindowPos({button.x, button.bottom() + w.px(4)});
+  const float top = button.bottom() + w.px(4);
+  ImGui::SetNextWindowPos({button.x, top});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y - top - w.px(8)});
   if (!ImGui::BeginPopup("layers")) return;
   Layers& l = frame.view.layers;
   w.checkbox("layers/links", "Match links", l.links);
@@ -137,6 +141,7 @@ void ViewportPanel::draw_layers(Widgets& w, Frame& frame, const Rect& button) {
   w.gap(6);
   w.text("Heat map", TextRole::caption, Tone::secondary);
   if (w.combo("layers/heat", {"none", "stem density", "times seen", "mean residual"}, heat, w.px(200))) frame.view.heat = static_cast<Heat>(heat);
+  draw_underlays(w, frame);
   ImGui::EndPopup();
 }
 

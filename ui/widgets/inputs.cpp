@@ -104,4 +104,15 @@ bool Widgets::number(const std::string& path, double& value, const char* format,
   return changed;
 }
 
+bool Widgets::slider(const std::string& path, float& value, float low, float high, const char* format, float width_px) {
+  ImGui::PushID(path.c_str());
+  ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
+  const bool changed = ImGui::SliderFloat("##slider", &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  record_last(path, std::to_string(value));
+  const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+  outline({from.x, from.y, to.x - from.x, to.y - from.y}, ImGui::IsItemActive() ? tokens().accent : tokens().line, px(6));
+  ImGui::PopID();
+  return changed;
+}
+
 }  // namespace stemwise::ui

@@ -72,6 +72,8 @@ class Widgets {
   bool combo(const std::string& path, const std::vector<std::string>& items, int& current, float width_px = 0.0f);
   bool input(const std::string& path, std::string& value, const InputLook& look = {});
   bool number(const std::string& path, double& value, const char* format, float width_px = 0.0f);
+  /// `format`: printf's, of a float ("%.0f %%").
+  bool slider(const std::string& path, float& value, float low, float high, const char* format, float width_px = 0.0f);
   bool fold(const std::string& path, const std::string& label, bool& open);  ///< a head that opens and closes
   /// Invisible, clickable: for rows and cards that draw themselves. Records, draws hover and focus.
   bool area(const std::string& path, const Rect& rect, const std::string& value, bool rounded = true);
