@@ -9,10 +9,10 @@ namespace {
 
 enum class Place { inside, edge, outside };
 
-/// Within a metre, or two position errors, of the edge nobody can say whether the survey looked there.
+/// Within a metre, two position errors, or what the outline itself may be off, of the edge nobody can say whether the survey looked there.
 Place place_in(const SurveyFootprint& survey, const Eigen::Vector2d& position_m) {
   if (survey.coverage_in_reference.empty()) return Place::inside;
-  const double doubt_m = std::max(1.0, 2.0 * survey.position_noise_m);
+  const double doubt_m = std::max({1.0, 2.0 * survey.position_noise_m, survey.outline_doubt_m});
   if (is_near_edge(survey.coverage_in_reference, position_m, doubt_m)) return Place::edge;
   return contains(survey.coverage_in_reference, position_m) ? Place::inside : Place::outside;
 }

@@ -11,6 +11,7 @@ struct SurveyFootprint {
   InventoryId inventory;
   Polygon coverage_in_reference;   ///< empty when nothing is known: then everything counts as covered
   double position_noise_m = 0.0;
+  double outline_doubt_m = 0.0;    ///< how far off the coverage's edge may lie from where the survey really ended
   double smallest_dbh_m = 0.0;     ///< the size from which on the survey took stems: its 2 % quantile
 };
 

@@ -55,6 +55,13 @@ double smallest_dbh_m(const Inventory& inventory) {
   return quantile_of_sorted(dbh, 0.02);
 }
 
+/// An outline that follows a list's stems is off by as much as these stand apart: three quarters of their typical spacing, which is 0.55
+/// of the side of a stem's share of the ground (coverage.hpp).
+double outline_doubt_m(const CoverageRow& coverage, std::size_t stems) {
+  if (coverage.source != CoverageSource::stems || stems == 0) return 0.0;
+  return 0.75 * 0.55 * std::sqrt(coverage.area_sq_m / static_cast<double>(stems));
+}
+
 /// Derives the tables step by step; only `derive_tables` sees it.
 class Derivation {
  public:
@@ -104,11 +111,12 @@ void Derivation::place_surveys() {
     if (const auto a = state_.alignments.find(id); a != state_.alignments.end() && a->second.position_noise_m > 0.0)
       survey.noise_m = a->second.position_noise_m;
     if (const auto e = state_.dbh_error_m.find(id); e != state_.dbh_error_m.end()) survey.dbh_error_m = e->second;
-    survey.footprint = {id, {}, survey.noise_m, smallest_dbh_m(*survey.inventory)};
+    survey.footprint = {id, {}, survey.noise_m, 0.0, smallest_dbh_m(*survey.inventory)};
     if (const auto c = state_.coverages.find(id); c != state_.coverages.end()) {
       survey.footprint.coverage_in_reference = place_coverage(c->second.in_inventory, *survey.inventory, survey.reference_from_inventory);
       tables_.coverages.push_back({id, survey.footprint.coverage_in_reference,
                                    area_sq_m(survey.footprint.coverage_in_reference), c->second.source});
+      survey.footprint.outline_doubt_m = outline_doubt_m(tables_.coverages.back(), survey.inventory->stems.size());
     }
     index_[id] = surveys_.size();
     tables_.inventories.push_back(id);

@@ -168,6 +168,15 @@ TEST(DecideFate, NeverCallsATreeOutsideCoverageMissingOrDead) {
   EXPECT_EQ(decide_fate(step, tree), Fate::dead);
 }
 
+TEST(DecideFate, LeavesATreeOpenWhereTheOutlineItselfMayBeOff) {
+  const SurveyFootprint from = square_footprint(100);
+  SurveyFootprint to = square_footprint(50);
+  const TreeAtStep tree{{47.5, 25.0}, true};
+  EXPECT_EQ(decide_fate({&from, &to, 0.03}, tree), Fate::missing);
+  to.outline_doubt_m = 3.0;
+  EXPECT_EQ(decide_fate({&from, &to, 0.03}, tree), Fate::unresolved);
+}
+
 TEST(DecideFate, TellsIngrowthFromATreeThatWasMissedBySize) {
   const SurveyFootprint from = square_footprint(100), to = square_footprint(100);
   const SurveyStep step{&from, &to, 0.03};
