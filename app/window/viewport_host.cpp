@@ -68,7 +68,8 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, s
   options.moving = dragging_;
   options.underlays = std::move(underlays);
   viewport_.set_options(options);
-  viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
+  // Tables of an earlier revision may speak of surveys that have no place any more: the scene waits for theirs.
+  if (document.is_derived()) viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
   update_later(document, view, options);
 }
 
@@ -83,7 +84,7 @@ void ViewportHost::update_later(const Document& document, const ui::ViewState& v
   later_name_ = ui::survey_label(document.state(), placed.back());
   if (!later_) later_.emplace();
   later_->set_options(options);
-  later_->sync(document.state(), document.derived().tables, document.derived().revision);
+  if (document.is_derived()) later_->sync(document.state(), document.derived().tables, document.derived().revision);
 }
 
 ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
