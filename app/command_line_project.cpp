@@ -76,6 +76,15 @@ void add_merge(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_merge(*options, session); }; });
 }
 
+void add_remove(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
+  CLI::App& command = add_command(root, common, "remove", "Take surveys out of a project; what the others have stays as it is");
+  const auto options = std::make_shared<RemoveOptions>();
+  command.add_option("PROJECT", options->project, "Project file")->required();
+  command.add_option("INVENTORY", options->inventories, "Names of the surveys")->required();
+  command.add_option("-o,--output", options->output, "Another project to write (default: PROJECT)");
+  command.callback([options, &chosen] { chosen.run = [options](Session& session) { return run_remove(*options, session); }; });
+}
+
 void add_snapshot(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   CLI::App& command = add_command(root, common, "snapshot", "A picture of a project; needs no display");
   const auto options = std::make_shared<SnapshotOptions>();
@@ -142,6 +151,7 @@ void add_batch(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
 void add_project_commands(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {
   add_georeference(root, common, chosen);
   add_merge(root, common, chosen);
+  add_remove(root, common, chosen);
   add_export(root, common, chosen);
   add_report(root, common, chosen);
   add_snapshot(root, common, chosen);

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session.hpp"
 #include "core/project/project_state.hpp"
@@ -25,6 +26,14 @@ struct MergeOptions {
 };
 /// `stemwise merge PROJECT`: sets the fusion policy.
 ExitCode run_merge(const MergeOptions& options, Session& session);
+
+struct RemoveOptions {
+  std::string project;
+  std::vector<std::string> inventories;  ///< by name
+  std::string output;                    ///< empty: the project itself
+};
+/// `stemwise remove PROJECT INVENTORY...`: takes surveys out of a project; what the others have stays as it is.
+ExitCode run_remove(const RemoveOptions& options, Session& session);
 
 struct SnapshotOptions {
   std::string project;

@@ -55,5 +55,16 @@ TEST_F(AddedSurvey, TakenOutAgainLeavesInTheFileWhatWasThereBefore) {
   EXPECT_TRUE(again == before_);
 }
 
+TEST_F(AddedSurvey, IsTakenOutByTheCommandLineAsWell) {
+  ASSERT_EQ(run_stemwise({"remove", folder_ / "after.gpkg", "2019", "-o", folder_ / "again.gpkg", "--quiet"}).code, 0);
+  const ProjectState again = *read_project(folder_ / "again.gpkg");
+  EXPECT_EQ(again.trees, before_.trees);
+  EXPECT_EQ(again.matches, before_.matches);
+  EXPECT_EQ(again.alignments, before_.alignments);
+  EXPECT_EQ(run_stemwise({"remove", folder_ / "after.gpkg", "1999"}).code, 2);
+  EXPECT_EQ(run_stemwise({"remove", folder_ / "after.gpkg", after_.find(after_.reference)->name}).code, 2) << "everything lies in the reference's frame";
+  EXPECT_EQ(*read_project(folder_ / "after.gpkg"), after_);
+}
+
 }  // namespace
 }  // namespace stemwise::testing
