@@ -59,6 +59,30 @@ ExitCode check_json_target(const std::string& path, const std::vector<std::strin
   return ExitCode::usage;
 }
 
+ExitCode check_table_target(const std::string& option, const std::string& path, const std::string& head, const std::vector<std::string>& inputs,
+                            const CommonOptions& common, Console& console) {
+  if (path.empty()) return ExitCode::done;
+  if (path == "-") {
+    if (common.json != "-") return ExitCode::done;
+    console.error(option + " - and --json - both go to stdout: give one of them a file");
+    return ExitCode::usage;
+  }
+  std::error_code code;
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (!fs::is_directory(folder, code)) {
+    console.error(path + ": cannot be written, there is no folder " + folder.string());
+    return ExitCode::failed;
+  }
+  const bool among_inputs = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) { return !input.empty() && (is_same_file(path, input) || is_same_file(folder.string(), input)); });
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(head.size(), '\0');
+  const bool is_table = !fs::is_regular_file(path, code) || (file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == head);
+  if (!among_inputs && is_table) return ExitCode::done;
+  console.error(option + " " + path + ": " + (among_inputs ? "this is where the input lies" : "the file is there and is no earlier table") +
+                ", and writing could destroy it; choose another name");
+  return ExitCode::usage;
+}
+
 ExitCode check_no_source(const std::string& output, const ProjectState& state, Console& console) {
   for (const auto& inventory : state.inventories) {
     if (inventory->source.path.empty() || !is_same_file(output, inventory->source.path)) continue;

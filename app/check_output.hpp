@@ -4,6 +4,7 @@
 
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
+#include "app/session.hpp"
 #include "core/project/project_state.hpp"
 
 namespace stemwise {
@@ -21,6 +22,11 @@ ExitCode check_no_source(const std::string& output, const ProjectState& state, C
 /// Before any work: where --json may not write. A file that holds anything but an earlier result would be destroyed, and so would
 /// one that another of the words of the command line names (usage).
 ExitCode check_json_target(const std::string& path, const std::vector<std::string>& words, Console& console);
+
+/// Before any work: where a table of results (`option`, empty or "-" too) may be written: to a new file, or over an earlier table, which begins
+/// with `head`; never into a folder that is read, and not to stdout beside --json - (usage; failed where there is no folder).
+ExitCode check_table_target(const std::string& option, const std::string& path, const std::string& head, const std::vector<std::string>& inputs,
+                            const CommonOptions& common, Console& console);
 
 /// A project that would be written anew and not be read: the decisions that people made in it would be gone (usage).
 ExitCode check_decisions_kept(const std::string& project, Console& console);

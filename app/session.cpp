@@ -26,7 +26,7 @@ void read_config(const std::string& path, GivenSettings& given) {
   }
   const nlohmann::json config = nlohmann::json::parse(in, nullptr, false);
   if (!config.is_object()) {
-    given.issues.push_back(wrong(path, "is not a JSON object of settings", "for example {\"seed\": 1}"));
+    given.issues.push_back(wrong(path, "is not a JSON object of settings", "expected {\"key\": value, ...} with the keys that --set takes"));
     return;
   }
   for (const auto& [key, value] : config.items()) {

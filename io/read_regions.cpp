@@ -37,6 +37,7 @@ Result<std::vector<Polygon>> read_regions(const std::string& path, const std::st
     if (!polygon) return fail("region " + std::to_string(regions.size() + 1) + " is not a list of three or more [x, y]");
     regions.push_back(std::move(*polygon));
   }
+  if (regions.empty()) return fail("the list of regions '" + key + "' is empty, so that no query would count");
   return regions;
 }
 

@@ -47,6 +47,7 @@ Result<Done> replace_file(const std::string& temporary, const std::string& given
   };
   if (const int error = flush(temporary, O_RDONLY); error != 0) return give_up(std::strerror(error));
   if (fs::is_directory(path, ignored)) return give_up("a folder of that name is there");
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return give_up("it is a device or a pipe, not a file");  // never renamed over
   std::error_code error;
   fs::rename(temporary, path, error);
   if (error) return give_up(error.message());
@@ -56,8 +57,10 @@ Result<Done> replace_file(const std::string& temporary, const std::string& given
 }
 
 Result<Done> write_text_file(const std::string& path, std::string_view text) {
-  const std::string temporary = temporary_beside(path);
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  std::error_code ignored;
+  const bool is_stream = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);  // /dev/null, a pipe: written into
+  const std::string temporary = is_stream ? path : temporary_beside(path);
+  const int descriptor = ::open(temporary.c_str(), is_stream ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return failed(path, std::strerror(errno));
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -65,13 +68,13 @@ Result<Done> write_text_file(const std::string& path, std::string_view text) {
     if (written < 0) {
       const std::string why = std::strerror(errno);
       ::close(descriptor);
-      ::unlink(temporary.c_str());
+      if (!is_stream) ::unlink(temporary.c_str());
       return failed(path, why);
     }
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   ::close(descriptor);
-  return replace_file(temporary, path);
+  return is_stream ? Result<Done>(Done{}) : replace_file(temporary, path);
 }
 
 long long timestamp_s() {

@@ -1,10 +1,13 @@
 #include "app/commands/evaluate.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 
 #include <sys/resource.h>
 
+#include "app/check_output.hpp"
 #include "app/commands/evaluation_output.hpp"
 #include "app/commands/evaluation_plots.hpp"
 #include "app/platform/folders.hpp"
@@ -59,6 +62,8 @@ private:
       session_.console.error("--map-mode global and --regions are for evaluate inter");
       return ExitCode::usage;
     }
+    const std::vector<std::string> inputs{options_.query_folder, options_.map_folder, setup_.regions_file()};
+    if (const ExitCode code = check_table_target("--csv", options_.csv, "query,candidate,", inputs, session_.common, session_.console); code != ExitCode::done) return code;
     return setup_.check();
   }
 
@@ -75,6 +80,10 @@ private:
     auto survey = reader_.read(folder, settings_, with_triangles);
     session_.console.issues(survey.issues);
     if (!survey) return ExitCode::unusable_input;
+    if (std::all_of(survey->described.scenes.begin(), survey->described.scenes.end(), [](const treeloc::Scene& scene) { return scene.trees.empty(); })) {
+      session_.console.error(folder + ": no frame has a tree with a diameter within the radius: nothing to localise by");
+      return ExitCode::unusable_input;
+    }
     about_.read_s += survey->read_s;
     about_.describe_s += survey->describe_s;
     about_.index_s += survey->index_s;
@@ -112,7 +121,9 @@ private:
     about_.index_s += evaluation.timing.index_s;
     about_.peak_rss_mb = peak_rss_mb();
     session_.console.end_progress();
-    if (!session_.common.quiet && session_.common.json != "-") std::cout << evaluation_text(evaluation, about_) << std::flush;
+    if (evaluation.tilt_observed < 1.0 && !evaluation.rows.empty())
+      session_.console.warn(std::to_string(std::lround(100.0 * (1.0 - evaluation.tilt_observed))) + " % of the queries have no stem axes: their roll and pitch are not observed");
+    if (!session_.common.quiet && session_.common.json != "-" && options_.csv != "-") std::cout << evaluation_text(evaluation, about_) << std::flush;
     Issues wrong;
     if (!options_.csv.empty()) wrong = write_result(options_.csv, evaluation_csv(evaluation));
     if (!options_.plots.empty() && !has_error(wrong)) wrong = write_evaluation_plots(evaluation, about_, options_.plots);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/check_output.hpp"
 #include "app/commands/evaluate.hpp"
 #include "app/commands/evaluation_output.hpp"
 #include "app/commands/evaluation_plots.hpp"
@@ -44,7 +45,8 @@ std::string short_number(double value) {
 
 std::vector<double> values_of(const std::vector<PairResult>& pairs, const Figure& figure) {
   std::vector<double> values;
-  for (const PairResult& pair : pairs) values.push_back(figure.of(pair.evaluation));
+  for (const PairResult& pair : pairs)
+    if (!pair.evaluation.rows.empty()) values.push_back(figure.of(pair.evaluation));
   return values;
 }
 
@@ -60,10 +62,12 @@ Json means_json(const std::vector<PairResult>& pairs) {
 /// Thresholds chosen on one pair and used on the others, and the method's fixed one on all.
 Json transfer_json(const std::vector<PairResult>& pairs, int thresholds) {
   std::vector<Evaluation> evaluations;
-  for (const PairResult& pair : pairs) evaluations.push_back(pair.evaluation);
+  std::vector<const EvaluationAbout*> abouts;
+  for (const PairResult& pair : pairs)
+    if (!pair.evaluation.rows.empty()) evaluations.push_back(pair.evaluation), abouts.push_back(&pair.about);
   Json rows = Json::array();
   for (const treeloc::ThresholdTransfer& t : treeloc::transfer_thresholds(evaluations, thresholds)) {
-    const EvaluationAbout& about = pairs[t.chosen_on].about;
+    const EvaluationAbout& about = *abouts[t.chosen_on];
     rows.push_back({{"query", about.query},
                     {"map", about.map},
                     {"threshold", t.threshold},
@@ -75,6 +79,7 @@ Json transfer_json(const std::vector<PairResult>& pairs, int thresholds) {
   }
   Json fixed = Json::array();
   for (const PairResult& pair : pairs) {
+    if (pair.evaluation.rows.empty()) continue;
     const treeloc::AtThreshold at = treeloc::at_threshold(pair.evaluation.rows, pair.evaluation.acceptance_score);
     fixed.push_back({{"query", pair.about.query}, {"map", pair.about.map}, {"precision", at.precision}, {"recall", at.recall},
                      {"f1", at.f1}, {"accepted", at.accepted}, {"no_positive", at.wrong}});
@@ -105,6 +110,9 @@ class PairsRun {
       session_.console.error("pairs needs two frame folders or more");
       return ExitCode::usage;
     }
+    std::vector<std::string> inputs = options_.folders;
+    inputs.push_back(setup_.regions_file());
+    if (const ExitCode code = check_table_target("--csv", options_.csv, "query,map,", inputs, session_.common, session_.console); code != ExitCode::done) return code;
     if (const ExitCode code = setup_.check(); code != ExitCode::done) return code;
     if (const ExitCode code = read(); code != ExitCode::done) return code;
     evaluate();
@@ -139,6 +147,9 @@ class PairsRun {
         pair.about.map = map.name;
         pair.evaluation = evaluate_inter(setup_.query_scenes(*query.frames, settings), scenes, setup_.regions(), settings, setup_.protocol(),
                                          session_.common.threads, progress);
+        pair.about.threads = session_.common.threads > 0 ? session_.common.threads : hardware_threads();
+        if (pair.evaluation.rows.empty())
+          session_.console.warn(query.name + " in " + map.name + ": no query has a scene nearby: nothing to measure, the pair is in no mean");
         pairs_.push_back(std::move(pair));
       }
     }

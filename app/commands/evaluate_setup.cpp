@@ -48,7 +48,8 @@ ExitCode EvaluateSetup::check_settings() {
     session_.console.error("presets: auto, plot, route");
     return ExitCode::usage;
   }
-  const Issues wrong = tried.check();
+  Issues wrong = tried.check();
+  for (Issue& issue : protocol_.check()) wrong.push_back(std::move(issue));
   session_.console.issues(wrong);
   if (has_error(wrong)) return ExitCode::usage;
   given_ = given_settings(session_.common).values;

@@ -38,6 +38,7 @@ class EvaluateSetup {
   bool is_global() const { return options_.map_mode == "global"; }
   const treeloc::EvaluateSettings& protocol() const { return protocol_; }
   const std::vector<Polygon>& regions() const { return regions_; }
+  std::string regions_file() const { return options_.regions.substr(0, options_.regions.rfind(':')); }
   Session& session() const { return session_; }
 
  private:

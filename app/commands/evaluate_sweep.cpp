@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/check_output.hpp"
 #include "app/commands/evaluate.hpp"
 #include "app/commands/sweep_cases.hpp"
 #include "core/treeloc/perturb_frames.hpp"
@@ -114,6 +115,11 @@ class SweepRun {
       session_.console.error("-o takes a .csv or .md file; --trials at least 1");
       return ExitCode::usage;
     }
+    const bool is_markdown = options_.output.ends_with(".md");
+    const std::vector<std::string> inputs{options_.query_folder, options_.map_folder, setup_.regions_file()};
+    if (const ExitCode code = check_table_target("-o", options_.output, is_markdown ? "| what | case |" : "what,case,", inputs, session_.common, session_.console);
+        code != ExitCode::done)
+      return code;
     if (!inter() && (setup_.is_global() || !options_.method.regions.empty())) {
       session_.console.error("--map-mode global and --regions need a MAP_DIR");
       return ExitCode::usage;

@@ -38,7 +38,8 @@ std::string number(double value, const char* format = "%.6f") {
   return buffer.data();
 }
 
-/// Standard deviations from the covariance, along the axes of the candidate's frame, and how far the truth is by it.
+/// Standard deviations from the covariance, along the axes of the candidate's frame, and how far the truth is by it: the truth that
+/// calibration counts by, between surveys moved by the one SE(3).
 std::string deviations_csv(const treeloc::QueryRow& row) {
   std::string csv;
   for (int i = 0; i < 6; ++i) {
@@ -71,8 +72,10 @@ std::string evaluation_json(const treeloc::Evaluation& e, const EvaluationAbout&
             {"pose_3d", pose_json(e.pose_3d)}};
   if (e.pose_3d_truth_aligned) json["pose_3d_truth_aligned"] = pose_json(*e.pose_3d_truth_aligned);
   json["acceptance"] = {{"threshold", e.acceptance_score},
+                        {"queries_within_30_m", e.queries_within_30_m},
                         {"accepted", e.accepted},
                         {"accepted_wrong_by_more_than_1_m", e.accepted_wrong},
+                        {"accepted_wrong_by_more_than_1_m_in_space", e.accepted_wrong_in_space},
                         {"queries_without_truth", e.queries_without_truth},
                         {"accepted_without_truth", e.accepted_without_truth},
                         {"highest_score_without_truth", e.highest_score_without_truth}};
@@ -82,6 +85,7 @@ std::string evaluation_json(const treeloc::Evaluation& e, const EvaluationAbout&
                          {"inside_95_rotation", e.calibration.inside_95_rotation},
                          {"median_position_sd_m", e.calibration.median_position_sd_m},
                          {"median_rotation_sd_deg", e.calibration.median_rotation_sd_deg}};
+  json["tilt_observed"] = e.tilt_observed;
   json["timing"] = timing_json(e, about);
   return json.dump(2) + "\n";
 }
@@ -90,13 +94,14 @@ std::string evaluation_csv(const treeloc::Evaluation& e) {
   std::string csv =
       "query,candidate,positive,score,dx_m,dy_m,dz_m,droll_deg,dpitch_deg,dyaw_deg,pairs,votes,candidate_distance_m,"
       "sd_x_m,sd_y_m,sd_z_m,sd_roll_deg,sd_pitch_deg,sd_yaw_deg,mahalanobis_sq\n";
-  for (const auto& row : e.rows) {
+  for (std::size_t i = 0; i < e.rows.size(); ++i) {
+    const treeloc::QueryRow& row = e.rows[i];
     csv += std::to_string(row.query) + "," + (row.found() ? std::to_string(row.candidate) : "") + "," +
            (row.positive ? "1" : "0") + "," + number(row.score);
     for (const double v : row.error.position_m) csv += "," + (row.found() ? number(v) : "");
     for (const double v : row.error.angle_deg) csv += "," + (row.found() ? number(v) : "");
     csv += "," + std::to_string(row.pairs) + "," + std::to_string(row.votes) + "," +
-           (row.found() ? number(row.candidate_distance_m) : "") + deviations_csv(row) + "\n";
+           (row.found() ? number(row.candidate_distance_m) : "") + deviations_csv(e.truth_aligned_rows.empty() ? row : e.truth_aligned_rows[i]) + "\n";
   }
   return csv;
 }
@@ -108,9 +113,9 @@ std::string evaluation_text(const treeloc::Evaluation& e, const EvaluationAbout&
           number(e.retrieval.mf1, "%.4f") + ", AUC " + number(e.retrieval.auc, "%.4f") + "\n";
   text += pose_text("2D", e.pose_2d) + pose_text("3D", e.pose_3d);
   if (e.pose_3d_truth_aligned) text += pose_text("3D, one SE(3) fitted between the truths", *e.pose_3d_truth_aligned);
-  text += "  accepted (score " + number(e.acceptance_score, "%.2f") + "): " + std::to_string(e.accepted) +
-          ", of them wrong by more than 1 m: " + std::to_string(e.accepted_wrong) +
-          "; without truth: " + std::to_string(e.accepted_without_truth) + " of " + std::to_string(e.queries_without_truth) +
+  text += "  accepted (score " + number(e.acceptance_score, "%.2f") + "): " + std::to_string(e.accepted) + " of " + std::to_string(e.queries_within_30_m) +
+          " with a scene within 30 m, of them wrong by more than 1 m: " + std::to_string(e.accepted_wrong) +
+          "; with nothing within 30 m: " + std::to_string(e.accepted_without_truth) + " of " + std::to_string(e.queries_without_truth) +
           "\n";
   text += "  truth inside the 95 % region of its pose: " + number(100.0 * e.calibration.inside_95, "%.1f") + " % of " +
           std::to_string(e.calibration.poses) + "\n";

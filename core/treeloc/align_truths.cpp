@@ -67,6 +67,14 @@ RigidTransform fit_moved_from_centered(const std::vector<QueryRow>& rows, const 
 
 }  // namespace
 
+void compare_with_moved_truth(std::vector<QueryRow>& rows, const RigidTransform& map_from_query_survey) {
+  for (QueryRow& row : rows) {
+    if (!row.found()) continue;
+    const RigidTransform survey_from_candidate = row.survey_from_query * row.candidate_from_query.inverse();
+    compare_with_truth(row, survey_from_candidate.inverse() * map_from_query_survey * row.true_survey_from_query);
+  }
+}
+
 RigidTransform align_truths(std::vector<QueryRow>& rows) {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double count = 0.0;
@@ -77,11 +85,7 @@ RigidTransform align_truths(std::vector<QueryRow>& rows) {
   center /= count;
   const RigidTransform moved_from_centered = fit_moved_from_centered(rows, center);
   const RigidTransform map_from_query_survey = moved_from_centered * RigidTransform{Eigen::Matrix3d::Identity(), -center};
-  for (QueryRow& row : rows) {
-    if (!row.found()) continue;
-    const RigidTransform survey_from_candidate = row.survey_from_query * row.candidate_from_query.inverse();
-    compare_with_truth(row, survey_from_candidate.inverse() * map_from_query_survey * row.true_survey_from_query);
-  }
+  compare_with_moved_truth(rows, map_from_query_survey);
   return map_from_query_survey;
 }
 

@@ -18,11 +18,10 @@ double part_sq(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) 
 }  // namespace
 
 Calibration calibration_of(std::span<const QueryRow> rows) {
-  constexpr double wrong_place_m = 1.0;
   Calibration c;
   std::vector<double> position_sd_m, rotation_sd_deg;
   for (const QueryRow& row : rows) {
-    if (!row.found() || row.error.spatial_m() > wrong_place_m) continue;
+    if (!row.found()) continue;
     const Eigen::AngleAxisd turn(row.true_candidate_from_query.rotation * row.candidate_from_query.rotation.transpose());
     const Eigen::Vector3d shift = row.true_candidate_from_query.translation_m - row.candidate_from_query.translation_m;
     const Eigen::Matrix3d position = row.covariance.topLeftCorner<3, 3>(), rotation = row.covariance.bottomRightCorner<3, 3>();

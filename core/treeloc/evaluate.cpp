@@ -10,6 +10,8 @@
 namespace stemwise::treeloc {
 namespace {
 
+constexpr double nothing_within_m = 30.0;
+
 double planar_distance_m(const Scene& a, const Scene& b) {
   return (a.survey_from_scene.translation_m - b.survey_from_scene.translation_m).head<2>().norm();
 }
@@ -67,29 +69,26 @@ EvaluationTiming timing_of(std::span<const Localization> found) {
 struct Selection {
   std::vector<Scene> queries;
   std::vector<std::uint32_t> limits;
-  std::vector<char> has_positive;
+  std::vector<double> nearest_m;
 };
 
 Evaluation measure(const Localizer& localizer, const Selection& selection, const Settings& settings,
                    const EvaluateSettings& protocol, int threads, const Progress& progress) {
   Evaluation e;
-  const double acceptance = e.acceptance_score = acceptance_score(settings.method);
+  e.acceptance_score = acceptance_score(settings.method);
   e.map_scenes = localizer.scenes().size();
   const auto found = localize_all(localizer, selection.queries, selection.limits, threads, progress);
   std::vector<Localization> timed;
   for (std::size_t q = 0; q < found.size(); ++q) {
-    if (selection.has_positive[q] != 0) {
-      e.rows.push_back(row_of(selection.queries[q], found[q], localizer.scenes(), protocol));
-      e.rows.back().query_s = found[q].retrieve_s + found[q].verify_s;
-      timed.push_back(found[q]);
-      continue;
-    }
-    ++e.queries_without_truth;
-    if (!found[q].candidates.empty()) {
-      if (found[q].candidates.front().score >= acceptance) ++e.accepted_without_truth;
-      e.highest_score_without_truth = std::max(e.highest_score_without_truth, found[q].candidates.front().score);
-    }
+    QueryRow row = row_of(selection.queries[q], found[q], localizer.scenes(), protocol);
+    row.nearest_m = selection.nearest_m[q];
+    row.query_s = found[q].retrieve_s + found[q].verify_s;
+    const bool has_positive = row.nearest_m <= protocol.positive_m;
+    e.tilt_observed += has_positive && selection.queries[q].tilt_observed ? 1.0 : 0.0;
+    (has_positive ? e.rows : e.others).push_back(std::move(row));
+    if (has_positive) timed.push_back(found[q]);
   }
+  e.tilt_observed /= std::max<double>(1.0, static_cast<double>(e.rows.size()));
   e.retrieval = retrieval_metrics(e.rows, protocol.thresholds);
   e.pose_2d = pose_metrics(e.rows, protocol, false);
   e.pose_3d = pose_metrics(e.rows, protocol, true);
@@ -97,24 +96,33 @@ Evaluation measure(const Localizer& localizer, const Selection& selection, const
   return e;
 }
 
-/// Keeps queries with a positive, and those with nothing within 30 m.
+/// Keeps queries with a positive, and the others where they are wanted.
 void select(Selection& selection, const Scene& query, std::span<const Scene> map, std::uint32_t limit,
             const EvaluateSettings& protocol) {
-  constexpr double nothing_within_m = 30.0;
   const double nearest = nearest_m(query, map, limit);
-  if (limit == 0 || (nearest > protocol.positive_m && (nearest < nothing_within_m || !protocol.with_negatives))) return;
+  if (limit == 0 || (nearest > protocol.positive_m && !protocol.with_negatives)) return;
   selection.queries.push_back(query);
   selection.limits.push_back(limit);
-  selection.has_positive.push_back(nearest <= protocol.positive_m ? 1 : 0);
+  selection.nearest_m.push_back(nearest);
 }
 
-void count_accepted(Evaluation& e, std::span<const QueryRow> rows) {
+/// Rows and others with the errors that count.
+void count_accepted(Evaluation& e, std::span<const QueryRow> rows, std::span<const QueryRow> others) {
   constexpr double wrong_m = 1.0;
-  for (const QueryRow& row : rows) {
-    if (!row.found() || row.score < e.acceptance_score) continue;
-    ++e.accepted;
-    if (row.error.planar_m() > wrong_m) ++e.accepted_wrong;
-  }
+  for (const auto& part : {rows, others})
+    for (const QueryRow& row : part) {
+      const bool accepted = row.found() && row.score >= e.acceptance_score;
+      if (row.nearest_m > nothing_within_m) {
+        ++e.queries_without_truth;
+        e.accepted_without_truth += accepted ? 1 : 0;
+        e.highest_score_without_truth = std::max(e.highest_score_without_truth, row.score);
+        continue;
+      }
+      ++e.queries_within_30_m;
+      e.accepted += accepted ? 1 : 0;
+      e.accepted_wrong += accepted && row.error.planar_m() > wrong_m ? 1 : 0;
+      e.accepted_wrong_in_space += accepted && row.error.spatial_m() > wrong_m ? 1 : 0;
+    }
 }
 
 double timed_add(Localizer& localizer, DescribedScenes scenes, int threads) {
@@ -134,7 +142,18 @@ Fields EvaluateSettings::fields(const std::string& prefix) {
           {prefix + ".thresholds", "", "Score thresholds of the precision-recall sweep", &thresholds},
           {prefix + ".height_between_surveys_m", "m", "How much the carried sensors of two surveys differ in height",
            &height_between_surveys_m},
-          {prefix + ".with_negatives", "", "Ask for queries with nothing within 30 m too", &with_negatives}};
+          {prefix + ".with_negatives", "", "Ask for queries without a positive too", &with_negatives}};
+}
+
+Issues EvaluateSettings::check() const {
+  Issues issues;
+  const auto refuse = [&](const char* key, const char* expected) { issues.push_back({Severity::error, "", 0, "", std::string("protocol.") + key + ": expected " + expected, ""}); };
+  if (!(positive_m > 0.0)) refuse("positive_m", "a distance above 0 m");
+  if (!(pose_limit_m > 0.0)) refuse("pose_limit_m", "a distance above 0 m");
+  if (!(pose_limit_deg > 0.0)) refuse("pose_limit_deg", "an angle above 0 degrees");
+  if (thresholds < 2) refuse("thresholds", "2 or more");
+  if (excluded_preceding < 0) refuse("excluded_preceding", "0 or more");
+  return issues;
 }
 
 double PoseError::planar_m() const { return std::hypot(position_m[0], position_m[1]); }
@@ -217,7 +236,7 @@ Evaluation evaluate_intra(DescribedScenes described, const Settings& settings, c
   const double index_s = timed_add(*localizer, std::move(described), threads);
   Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;
-  count_accepted(e, e.rows);
+  count_accepted(e, e.rows, e.others);
   e.calibration = calibration_of(e.rows);
   return e;
 }
@@ -239,9 +258,10 @@ Evaluation evaluate_inter(std::vector<Scene> queries, DescribedScenes map, std::
   const double index_s = timed_add(*localizer, std::move(map), threads);
   Evaluation e = measure(*localizer, selection, settings, protocol, threads, progress);
   e.timing.index_s = index_s;
-  std::vector<QueryRow> aligned = e.rows;
-  align_truths(aligned);
-  count_accepted(e, aligned);
+  std::vector<QueryRow> aligned = e.rows, others = e.others;
+  const RigidTransform map_from_query_survey = align_truths(aligned);
+  compare_with_moved_truth(others, map_from_query_survey);
+  count_accepted(e, aligned, others);
   e.pose_3d_truth_aligned = pose_metrics(aligned, protocol, true);
   e.calibration = calibration_of(aligned);
   e.truth_aligned_rows = std::move(aligned);

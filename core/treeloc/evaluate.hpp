@@ -20,8 +20,9 @@ struct EvaluateSettings {
   double pose_limit_deg = 5.0;
   int thresholds = 1000;
   double height_between_surveys_m = 0.3;  ///< inter: how much the carried sensors of two surveys differ in height
-  bool with_negatives = true;  ///< ask for queries with nothing within 30 m too, to see how high a score chance reaches
+  bool with_negatives = true;  ///< ask for queries without a positive too, to see what the threshold accepts
   Fields fields(const std::string& prefix);
+  Issues check() const;
 };
 
 /// A pose against the truth: differences of x, y, z (m), roll, pitch, yaw (degrees) of candidate-from-query.
@@ -34,7 +35,7 @@ struct PoseError {
 };
 PoseError pose_error(const RigidTransform& estimate, const RigidTransform& truth);
 
-/// One query that has at least one positive.
+/// One query and what was found for it.
 struct QueryRow {
   std::int64_t query = 0;
   std::int64_t candidate = -1;  ///< frame number; -1: nothing was found
@@ -43,6 +44,7 @@ struct QueryRow {
   int pairs = 0;
   int votes = 0;
   double candidate_distance_m = 0.0;  ///< true planar distance of the candidate
+  double nearest_m = 0.0;             ///< true planar distance of the nearest scene that was a candidate
   double runner_up_score = 0.0;
   double query_s = 0.0;  ///< retrieval to pose
   PoseError error;
@@ -63,7 +65,7 @@ struct RetrievalMetrics {
   double recall_at_1 = 0.0, mr = 0.0, mf1 = 0.0, auc = 0.0;
 };
 
-/// Do the covariances tell the truth? Over found poses within 1 m of the truth (a wrong place is no matter of covariance).
+/// Do the covariances tell the truth? Over all poses that were found for queries with a positive, wrong places too.
 struct Calibration {
   int poses = 0;
   double inside_95 = 0.0;           ///< share of truths inside the 95 % region of all six degrees of freedom
@@ -80,19 +82,23 @@ struct EvaluationTiming {
 };
 
 struct Evaluation {
-  std::vector<QueryRow> rows;
+  std::vector<QueryRow> rows;    ///< of queries with a positive: what is measured
+  std::vector<QueryRow> others;  ///< of queries without one; those with a scene within 30 m may be localised nevertheless
   std::vector<QueryRow> truth_aligned_rows;  ///< inter: the same with errors after one SE(3) was fitted between the truths
   std::size_t map_scenes = 0;
   RetrievalMetrics retrieval;
   PoseMetrics pose_2d, pose_3d;
   std::optional<PoseMetrics> pose_3d_truth_aligned;  ///< inter: after one SE(3) was fitted between the truths
   Calibration calibration;                           ///< inter: after that fit
+  double tilt_observed = 0.0;  ///< share of the measured queries with stem axes: of the others roll and pitch are not observed
   EvaluationTiming timing;
-  /// What the method's fixed threshold accepts. `wrong`: planar distance from the truth (moved by the fitted SE(3) between
-  /// sessions) above 1 m.
+  /// What the method's fixed threshold accepts of all queries with a scene within 30 m, a positive or not. `wrong`: more than 1 m
+  /// from the truth in the plane, or in space (the truth moved by the fitted SE(3) between sessions).
   double acceptance_score = 0.0;
+  int queries_within_30_m = 0;
   int accepted = 0;
   int accepted_wrong = 0;
+  int accepted_wrong_in_space = 0;
   /// Queries without anything within 30 m: the highest score of any is what a threshold must exceed.
   int queries_without_truth = 0;
   int accepted_without_truth = 0;

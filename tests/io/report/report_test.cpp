@@ -137,6 +137,9 @@ TEST(Report, AGoneTreeIsUnresolvedOnlyAtTheVeryEdgeOfTheLastCoverage) {
   const InventoryId middle = state.inventories[1]->id, last = state.inventories[2]->id;
   const auto coverage = std::find_if(tables.coverages.begin(), tables.coverages.end(), [&](const CoverageRow& row) { return row.inventory == last; });
   ASSERT_NE(coverage, tables.coverages.end());
+  // An outline made of stems is off by up to three quarters of their spacing, 0.55 of the side of a stem's share of the ground.
+  const double doubt_m = 0.75 * 0.55 * std::sqrt(coverage->area_sq_m / static_cast<double>(state.inventories[2]->stems.size()));
+  ASSERT_LT(doubt_m, 3.0);
   int gone = 0, missing = 0;
   for (const ObservationRow& row : tables.observations) {
     if (row.stem.inventory != middle || row.stem.index < 380) continue;
@@ -145,7 +148,7 @@ TEST(Report, AGoneTreeIsUnresolvedOnlyAtTheVeryEdgeOfTheLastCoverage) {
     if (row.fate == Fate::missing) continue;
     const bool is_inside = contains(coverage->in_reference, row.position_m.head<2>());
     const double edge_m = distance_to_edge_m(coverage->in_reference, row.position_m.head<2>());
-    EXPECT_TRUE(!is_inside || edge_m < 1.0) << "stem " << row.stem.index << " " << to_string(row.fate) << ", inside, " << edge_m << " m from the edge";
+    EXPECT_TRUE(!is_inside || edge_m < doubt_m) << "stem " << row.stem.index << " " << to_string(row.fate) << ", inside, " << edge_m << " m from the edge";
   }
   EXPECT_EQ(gone, 20);
   EXPECT_GE(missing, 16);
