@@ -55,23 +55,26 @@ Result<Done> replace_file(const std::string& temporary, const std::string& given
   return Done{};
 }
 
-Result<Done> write_text_file(const std::string& path, std::string_view text) {
+Result<Done> write_temporary(const std::string& path, std::string_view text) {
   const std::string temporary = temporary_beside(path);
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return failed(path, std::strerror(errno));
-  while (!text.empty()) {
+  int error = 0;
+  while (!text.empty() && error == 0) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const std::string why = std::strerror(errno);
-      ::close(descriptor);
-      ::unlink(temporary.c_str());
-      return failed(path, why);
-    }
-    text.remove_prefix(static_cast<std::size_t>(written));
+    if (written >= 0) text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR) error = errno;
   }
+  if (error == 0 && ::fsync(descriptor) != 0) error = errno;  // some file systems tell only now that they are full
   ::close(descriptor);
-  return replace_file(temporary, path);
+  if (error == 0) return Done{};
+  ::unlink(temporary.c_str());
+  return failed(path, std::strerror(error));
+}
+
+Result<Done> write_text_file(const std::string& path, std::string_view text) {
+  if (Result<Done> done = write_temporary(path, text); !done) return done;
+  return replace_file(temporary_beside(path), path);
 }
 
 long long timestamp_s() {
