@@ -9,7 +9,7 @@
 #include "io/plot_filter.hpp"
 #include "io/project_file.hpp"
 #include "io/stem_columns.hpp"
-#include "io/stem_status.hpp"
+#include "io/status_code.hpp"
 #include "io/stems_from_table.hpp"
 #include "io/text_file.hpp"
 
@@ -83,7 +83,7 @@ void show_status_codes(const StemTable& table, const StemColumns& columns, const
   const bool from_one = table.names[*at].base == "statuscd";
   for (const auto& [code, rows] : counts) {
     const auto told = options.status_codes.find(code);
-    preview.status_codes.push_back({code, rows, told != options.status_codes.end() ? told->second : stem_status_from(code, from_one)});
+    preview.status_codes.push_back({code, rows, told != options.status_codes.end() ? told->second : status_from_code(code, from_one)});
   }
   std::stable_sort(preview.status_codes.begin(), preview.status_codes.end(), [](const auto& a, const auto& b) { return a.rows > b.rows; });
   if (preview.status_codes.size() > most_codes) preview.status_codes.resize(most_codes);
