@@ -49,7 +49,7 @@ ExitCode EvaluateSetup::check_settings() {
     return ExitCode::usage;
   }
   const Issues wrong = tried.check();
-  session_.console.issues(wrong);
+  session_.console.issues(as_settings(wrong));
   if (has_error(wrong)) return ExitCode::usage;
   given_ = given_settings(session_.common).values;
   warn_of_unused(given_);
