@@ -62,7 +62,7 @@ Result<Done> write_field_check(const ReportCommandOptions& options, const Projec
   const FieldCheck check = make_field_check(state, tables, options.field_check_trees);
   if (suffix_of(options.output) == ".gpx") return write_field_check_gpx(options.output, check, state.georeference, software);
   const bool for_print = suffix_of(options.output) == ".pdf" || suffix_of(options.output).starts_with(".htm");
-  return write_report(options.output, make_field_check_document(check, state.title, software, for_print));
+  return write_report(options.output, make_field_check_document(check, state, software, for_print));
 }
 
 }  // namespace
