@@ -64,8 +64,7 @@ const Words& names_of(ColumnKind kind) {
     set(K::reconstructed, {"reconstructed"});
     set(K::score, {"score", "scores"});
     set(K::quadrat, {"quadrat", "quadratname", "quad"});
-    set(K::local_x, {"lx", "qx"});
-    set(K::local_y, {"ly", "qy"});
+    set(K::local_x, {"lx", "qx"}), set(K::local_y, {"ly", "qy"});
     return n;
   }();
   return names[static_cast<std::size_t>(kind)];

@@ -8,6 +8,7 @@
 #include "io/crs.hpp"
 #include "io/inventory_date.hpp"
 #include "io/plot_filter.hpp"
+#include "io/project_degrees.hpp"
 #include "io/repeated_stems.hpp"
 #include "io/status_code.hpp"
 #include "io/stem_columns.hpp"
@@ -266,37 +267,6 @@ class StemMaker {
   bool bad_ = false;
 };
 
-/// Degrees to metres in the UTM zone of the middle stem; stems without a place there are left out.
-Issues project_to_utm(std::vector<Stem>& stems, int from_epsg, std::optional<int>& epsg, std::vector<std::string>& notes) {
-  std::vector<double> lon, lat;
-  const auto to_degrees = CrsTransform::between(from_epsg, wgs84_epsg);
-  if (!to_degrees) return to_degrees.issues;
-  for (const Stem& s : stems) {
-    if (const auto p = (*to_degrees)({s.x_m, s.y_m, 0.0})) lon.push_back(p->x()), lat.push_back(p->y());
-  }
-  if (lon.empty()) return {};
-  epsg = utm_epsg_of(*median_of(lon), *median_of(lat));
-  const auto project = CrsTransform::between(from_epsg, *epsg);
-  if (!project) return project.issues;
-  for (Stem& s : stems) {
-    if (const auto p = (*project)({s.x_m, s.y_m, 0.0})) s.x_m = p->x(), s.y_m = p->y();
-  }
-  notes.push_back("positions projected to " + crs_name(*epsg) + " (EPSG:" + std::to_string(*epsg) + ")");
-  return {};
-}
-
-/// Degrees that call themselves x and y: more than three stems on every square metre if they were metres.
-bool are_degrees_in_disguise(const std::vector<Stem>& stems, const StemColumns& columns) {
-  if (columns.position.scheme != PositionScheme::cartesian || stems.size() < 5) return false;
-  double low_x = 1e300, low_y = 1e300, high_x = -1e300, high_y = -1e300;
-  for (const Stem& s : stems) {
-    low_x = std::min(low_x, s.x_m), high_x = std::max(high_x, s.x_m);
-    low_y = std::min(low_y, s.y_m), high_y = std::max(high_y, s.y_m);
-  }
-  if (std::max(std::abs(low_x), std::abs(high_x)) > 180.0 || std::max(std::abs(low_y), std::abs(high_y)) > 90.0) return false;
-  return (high_x - low_x) * (high_y - low_y) * 3.0 < static_cast<double>(stems.size());
-}
-
 void note_counts(const StemMaker& made, Inventory& inventory) {
   std::string text = "rows: " + std::to_string(made.rows_met_) + ", stems read: " + std::to_string(made.stems_.size());
   if (made.rows_bad_ > 0) text += ", bad rows left out: " + std::to_string(made.rows_bad_);
@@ -323,6 +293,12 @@ Issues warn_of_unknown_codes(const StemTable& table, const StemColumns& columns,
   if (frequent.size() > codes_named) list += ", ... (" + std::to_string(frequent.size()) + " words)";
   return {{Severity::warning, table.file, 0, table.header[*columns[K::status]], "unknown status: " + list + "; these stems are taken as living",
            "say what it means: --status \"" + frequent.front().first + "=dead\" (alive, dead, removed or missing)"}};
+}
+
+Issues issues_so_far(const StemTable& table, const StemColumns& columns, const StemMaker& made) {
+  Issues issues = table.issues;
+  for (const Issues& more : {columns.issues, made.issues_, made.not_a_number_issues()}) issues.insert(issues.end(), more.begin(), more.end());
+  return issues;
 }
 
 Issue nothing_usable(const StemTable& table) {
@@ -355,11 +331,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   inventory.source.path = table.file;
   inventory.source.notes = table.notes;
   inventory.source.notes.insert(inventory.source.notes.end(), columns->notes.begin(), columns->notes.end());
-  Issues issues = table.issues;
-  issues.insert(issues.end(), columns->issues.begin(), columns->issues.end());
-  issues.insert(issues.end(), made.issues_.begin(), made.issues_.end());
-  const Issues nans = made.not_a_number_issues();
-  issues.insert(issues.end(), nans.begin(), nans.end());
+  Issues issues = issues_so_far(table, *columns, made);
   if (made.stems_.empty()) {
     issues.insert(issues.begin(), nothing_usable(table));
     return Result<Inventory>::failure(std::move(issues));
@@ -370,17 +342,7 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   note_counts(made, inventory);
   inventory.stems = std::move(made.stems_);
   inventory.source.epsg = epsg;
-  std::optional<int> geographic = columns->position.scheme == PositionScheme::geographic ? std::optional(wgs84_epsg) : std::nullopt;
-  if (!geographic && epsg && is_geographic_epsg(*epsg)) geographic = epsg;
-  if (!geographic && !epsg && are_degrees_in_disguise(inventory.stems, *columns)) {
-    geographic = wgs84_epsg;
-    issues.push_back({Severity::warning, table.file, table.header_row, table.header[columns->position.first],
-                      "positions look like longitude and latitude in degrees and were read as such", "if that is wrong: --unit x=m"});
-  }
-  if (geographic) {
-    const Issues problems = project_to_utm(inventory.stems, *geographic, inventory.source.epsg, inventory.source.notes);
-    issues.insert(issues.end(), problems.begin(), problems.end());
-  }
+  for (Issue& issue : project_degrees(table, *columns, inventory)) issues.push_back(std::move(issue));
   std::vector<double> x_m, y_m;
   for (const Stem& s : inventory.stems) x_m.push_back(s.x_m), y_m.push_back(s.y_m);
   for (Issue& issue : warn_of_overlapping_plots(table, made.rows_, x_m, y_m, columns->position.scheme == PositionScheme::polar)) issues.push_back(std::move(issue));

@@ -13,7 +13,7 @@ constexpr double margin = 50.0;
 constexpr double content_width = PdfCanvas::page_width - 2.0 * margin;
 constexpr double content_bottom = PdfCanvas::page_height - 62.0;
 
-constexpr double fact_label = 130.0, fact_gap = 8.0;
+constexpr double fact_gap = 8.0;
 
 const TextStyle cover_title_style{26.0, palette::text, true};
 const TextStyle subtitle_style{10.0, palette::secondary, false};
@@ -52,6 +52,7 @@ class PdfReport {
     y_ += canvas_.text(margin, y_, content_width, document_.subtitle, subtitle_style) + 14.0;
     if (!cover.figures.empty()) print_block(cover.figures);
     y_ += 6.0;
+    measure_fact_labels(cover.facts);
     double facts = 0.0;
     for (const Fact& fact : cover.facts) facts += fact_height(fact);
     if (cover.map) print_map(*cover.map, content_bottom - facts - 16.0);
@@ -64,16 +65,23 @@ class PdfReport {
     y_ = margin;
   }
 
+  /// Labels stand on one line where three fifths of the width allow it.
+  void measure_fact_labels(const std::vector<Fact>& facts) {
+    constexpr double least = 110.0;
+    for (const Fact& fact : facts) fact_label_ = std::max(fact_label_, canvas_.text_width(fact.first, label_style) + fact_gap + 1.0);
+    fact_label_ = std::clamp(fact_label_, least, 0.6 * content_width);
+  }
+
   double fact_height(const Fact& fact) {
-    const double label = canvas_.text_height(fact.first, label_style, fact_label - fact_gap);
-    return std::max(label, canvas_.text_height(print_prose(fact.second), body_style, content_width - fact_label)) + 3.0;
+    const double label = canvas_.text_height(fact.first, label_style, fact_label_ - fact_gap);
+    return std::max(label, canvas_.text_height(print_prose(fact.second), body_style, content_width - fact_label_)) + 3.0;
   }
 
   void print_fact(const Fact& fact) {
     const double height = fact_height(fact);
     need(height);
-    canvas_.text(margin, y_, fact_label - fact_gap, fact.first, label_style);
-    canvas_.text(margin + fact_label, y_, content_width - fact_label, print_prose(fact.second), body_style);
+    canvas_.text(margin, y_, fact_label_ - fact_gap, fact.first, label_style);
+    canvas_.text(margin + fact_label_, y_, content_width - fact_label_, print_prose(fact.second), body_style);
     y_ += height;
   }
 
@@ -211,6 +219,7 @@ class PdfReport {
   int pages_ = 0;
   int page_ = 1;
   double y_ = margin;
+  double fact_label_ = 0.0;  ///< width of the cover's labels
 };
 
 }  // namespace
