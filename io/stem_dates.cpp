@@ -69,8 +69,12 @@ DateReading date_reading_of(const StemTable& table, std::size_t column) {
     reading.order = told;
   }
   if (contradicted) reading = {};
-  reading.serials = serials > 0 && 20 * (serials + dates) >= 19 * filled;
+  reading.serials = serials > 0 && (dates > 0 || 20 * serials >= 19 * filled);  // among dates a number of that size is one
   return reading;
+}
+
+std::string why_no_date(std::string_view cell) {
+  return date_from_text(cell, DayOrder::day_first) ? "may begin with the day or with the month, and no row tells which" : "is no date that can be read";
 }
 
 std::optional<std::size_t> choose_date_column(const StemTable& table) {
@@ -84,9 +88,7 @@ Issues warn_of_unread_dates(const StemTable& table, const StemColumns& columns, 
   for (const std::size_t column : named_date_columns(table)) {
     const std::string cell = first_filled(table, column);
     if (cell.empty()) continue;
-    const bool open = date_from_text(cell, DayOrder::day_first).has_value();
-    const std::string why = open ? "\" may begin with the day or with the month, and no row tells which" : "\" is no date that can be read";
-    return {{Severity::warning, table.file, 0, table.header[column], "\"" + cell + why + "; no date was taken from this column", "tell the day of the survey with --date 2023-05-04"}};
+    return {{Severity::warning, table.file, 0, table.header[column], "\"" + cell + "\" " + why_no_date(cell) + "; no date was taken from this column", "tell the day of the survey with --date 2023-05-04"}};
   }
   return {};
 }

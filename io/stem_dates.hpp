@@ -13,6 +13,9 @@ struct DateReading {
   std::optional<Date> operator()(std::string_view cell) const;
   std::string in_words() const;  ///< ", day before month (told by 13/5/2021)"; empty where nothing had to be decided
 };
+/// "may begin with the day or ...", or that it is none: why a cell gives no date.
+std::string why_no_date(std::string_view cell);
+
 DateReading date_reading_of(const StemTable& table, std::size_t column);
 
 /// Among the columns named like dates the first that holds dates (ForestGEO's `date` is a count of days).

@@ -223,7 +223,7 @@ class StemMaker {
     }
     if (const auto date = text(columns_[K::date]); !is_missing_mark(date)) {
       stem.date = dates_(date);
-      if (!stem.date) complain(row, *columns_[K::date], shown(date) + ", expected a date such as 2023-05-04; left out");
+      if (!stem.date) complain(row, *columns_[K::date], shown(date) + " " + why_no_date(date) + " (2023-05-04 can); left out");
     }
   }
 

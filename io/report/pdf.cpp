@@ -55,8 +55,11 @@ class PdfReport {
     measure_fact_labels(cover.facts);
     double facts = 0.0;
     for (const Fact& fact : cover.facts) facts += fact_height(fact);
-    if (cover.map) print_map(*cover.map, content_bottom - facts - 16.0);
+    constexpr double least_map = 240.0;  // rather the facts on the next page than a map that nobody can read
+    const bool together = content_bottom - facts - 16.0 - y_ >= least_map;
+    if (cover.map) print_map(*cover.map, together ? content_bottom - facts - 16.0 : content_bottom);
     if (cover.facts.empty()) return;
+    need(std::min(facts + 16.0, least_map));
     canvas_.rule(margin, y_, content_width, palette::line);
     y_ += 8.0;
     for (const Fact& fact : cover.facts) print_fact(fact);

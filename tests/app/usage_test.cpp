@@ -80,7 +80,7 @@ TEST_F(Usage, TheFieldCheckSheetHasThePlaceOnTheEarthBehindTheLocalOne) {
   const std::string sheet = text_of(folder_ / "f.csv");
   EXPECT_THAT(sheet, HasSubstr("x m,y m,Species"));
   EXPECT_THAT(sheet, HasSubstr("x in WGS 84 / UTM zone 32N (EPSG:32632)"));
-  EXPECT_THAT(sheet, HasSubstr(",48.77"));
+  EXPECT_THAT(sheet, HasSubstr(",48.76"));
 }
 
 }  // namespace
