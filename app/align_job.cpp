@@ -1,6 +1,7 @@
 #include "app/align_job.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "app/with_frames.hpp"
 #include "core/project/commands.hpp"
@@ -114,6 +115,27 @@ Fields AlignJobSettings::fields() {
   Fields all = align.fields();
   for (const Field& field : registering.fields()) all.push_back(field);
   return all;
+}
+
+Issues AlignJobSettings::check() {
+  constexpr std::array above_zero = {"lists.cell_m", "lists.middle_cell_m", "lists.coarse_cell_m", "lists.whole_list_stems", "lists.scenes", "lists.scene_stems", "lists.peaks", "lists.noise_floor_m",
+                                     "six_dof.planar_floor_m", "six_dof.height_floor_m", "six_dof.axis_floor_deg", "six_dof.rounds", "joint.agreement_m", "joint.lever_m", "joint.noise_m",
+                                     "scenes.most_queries", "scenes.grid_spacing_m", "register.window_m", "register.window_step_m", "register.odometry_share"};
+  constexpr std::array cells = {"lists.cell_m", "lists.middle_cell_m", "lists.coarse_cell_m"};
+  Issues issues;
+  const auto refuse = [&issues](const std::string& key, const char* text) { issues.push_back({Severity::error, "", 0, key, text, ""}); };
+  const auto is_in = [](const auto& list, const std::string& key) { return std::find(list.begin(), list.end(), key) != list.end(); };
+  for (const Field& field : fields()) {
+    const auto* const* real = std::get_if<double*>(&field.value);
+    const auto* const* whole = std::get_if<int*>(&field.value);
+    if (real == nullptr && whole == nullptr) continue;
+    const double value = real != nullptr ? **real : static_cast<double>(**whole);
+    if (is_in(cells, field.key) && !(value >= 0.05 && value <= 100.0)) refuse(field.key, "must be between 0.05 and 100 m");
+    else if (is_in(above_zero, field.key) && !(value > 0.0)) refuse(field.key, "must be above 0");
+    else if (!(value >= 0.0)) refuse(field.key, "must not be negative");
+  }
+  if (const std::string& preset = align.preset; preset != "auto" && preset != "plot" && preset != "route") refuse("align.preset", "must be auto, plot or route");
+  return issues;
 }
 
 AlignOutcome align_project(const ProjectState& state, const AlignJobSettings& settings, AlignHints hints, const Progress& progress) {

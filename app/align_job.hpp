@@ -16,6 +16,7 @@ struct AlignJobSettings {
   RegisterSettings registering;
   bool one_crs = false;  ///< all surveys are in one coordinate system: that is the prior of those that cannot prove their place
   Fields fields();
+  Issues check();  ///< what makes no sense; the key stands in `column`
 };
 
 /// What aligning a project gives: what apply_outcome makes a command of.

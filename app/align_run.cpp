@@ -93,6 +93,10 @@ AlignRun run_alignment(const AlignOptions& options, Session& session) {
   const bool based = !run.project.state().alignments.empty(), added = !paths.empty();
   AlignJobSettings settings = settings_of(options, session);
   if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return ended(code);
+  if (const Issues wrong = as_settings(settings.check()); has_error(wrong)) {
+    session.console.issues(wrong);
+    return ended(ExitCode::usage);
+  }
   if (!options.crs.empty() && !epsg_from(options.crs)) {
     session.console.error("--crs " + options.crs + ": expected EPSG:N of a projected system, for example EPSG:32632");
     return ended(ExitCode::usage);

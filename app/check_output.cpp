@@ -101,8 +101,21 @@ ExitCode check_decisions_kept(const std::string& project, Console& console) {
   return ExitCode::usage;
 }
 
+ExitCode check_suffix(const std::string& output, const std::vector<std::string>& suffixes, const std::string& what, Console& console) {
+  if (std::find(suffixes.begin(), suffixes.end(), lower_suffix(output)) != suffixes.end()) return ExitCode::done;
+  std::string all;
+  for (const std::string& suffix : suffixes)
+    if (!suffix.empty()) all += (all.empty() ? "" : ", ") + suffix;
+  console.error("-o " + output + ": the name's end says the format, and " + what + " is written as one of " + all);
+  return ExitCode::usage;
+}
+
 ExitCode check_output(const std::string& output, OutputKind kind, const std::vector<std::string>& inputs, Console& console) {
   std::error_code code;
+  if (output.empty()) {
+    console.error("-o: expected the name of the file to write, not nothing");
+    return ExitCode::usage;
+  }
   const fs::path folder = fs::absolute(output).parent_path();
   if (!fs::is_directory(folder, code)) {
     console.error(output + ": cannot be written, there is no folder " + folder.string());

@@ -19,6 +19,9 @@ ExitCode check_output(const std::string& output, OutputKind kind, const std::vec
 /// An output that is one of the files that the project's surveys were read from (usage).
 ExitCode check_no_source(const std::string& output, const ProjectState& state, Console& console);
 
+/// Before any work: the name of an output must end in one of the suffixes that `what` is written in (usage).
+ExitCode check_suffix(const std::string& output, const std::vector<std::string>& suffixes, const std::string& what, Console& console);
+
 /// Before any work: where --json may not write. A file that holds anything but an earlier result would be destroyed, and so would
 /// one that another of the words of the command line names (usage).
 ExitCode check_json_target(const std::string& path, const std::vector<std::string>& words, Console& console);

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -21,12 +23,18 @@ constexpr const char* description =
 constexpr const char* exit_codes =
     "Exit codes: 0 done, 1 the work failed, 2 bad usage, 3 an input has no usable row, 130 interrupted.";
 
+bool is_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
 void add_common(CLI::App& app, CommonOptions& common) {
   app.add_option("--threads", common.threads, "Threads to use; the result does not depend on it (default: all)")
       ->check(CLI::Range(1, 4096))
       ->group("Common");
   app.add_option("--seed", common.seed, "Seed of everything random (default 0)")
-      ->check([](const std::string& text) { return text.starts_with("-") ? "expected a whole number of 0 or more, not " + text : std::string(); })
+      ->check([](const std::string& text) { return is_seed(text) ? std::string() : "expected a whole number from 0 to 18446744073709551615, not " + text; })
       ->group("Common");
   app.add_option("--config", common.config, "JSON file of settings by their keys")->group("Common");
   app.add_option("--set", common.settings, "One setting, key=value; may be given again")->allow_extra_args(false)->group("Common");

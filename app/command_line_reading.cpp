@@ -19,6 +19,7 @@ void add_read_options(CLI::App& command, ReadOverrides& read) {
   add("--plot-column", read.plot_column, "Column that names the plot");
   add("--plot", read.plot, "Only the rows of this plot");
   add("--date", read.date, "Date of the survey: 2023-05-04");
+  add("--status", read.status, "What a status code means: K=dead (alive, dead, removed, missing, unknown)");
 }
 
 void add_info(CLI::App& root, CommonOptions& common, ChosenCommand& chosen) {

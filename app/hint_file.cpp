@@ -16,6 +16,7 @@ class HintReader {
   HintReader(const std::string& path, const ProjectState& state) : path_(path), state_(state) {}
 
   Result<AlignHints> read(const json& root) {
+    if (root.is_array() && root.empty()) wrong("holds no hint", pairs_help);
     for (const json& hint : root.is_array() ? root : json::array({root})) read_one(hint);
     return has_error(issues_) ? Result<AlignHints>::failure(issues_) : Result<AlignHints>(hints_, issues_);
   }
@@ -63,7 +64,10 @@ class HintReader {
     rough.x_m = pose["x_m"];
     rough.y_m = pose["y_m"];
     rough.yaw_rad = radians(pose["yaw_deg"]);
-    if (pose.contains("radius_m") && pose["radius_m"].is_number()) rough.radius_m = pose["radius_m"];
+    if (pose.contains("radius_m")) {
+      if (!pose["radius_m"].is_number() || !(pose["radius_m"].get<double>() > 0.0)) return wrong("'radius_m' is no number above 0: " + pose["radius_m"].dump());
+      rough.radius_m = pose["radius_m"];
+    }
     hints_.rough_poses.push_back(rough);
   }
 

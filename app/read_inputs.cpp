@@ -5,6 +5,7 @@
 
 #include "io/column_names.hpp"
 #include "io/inventory_date.hpp"
+#include "io/read_gis.hpp"
 #include "io/read_inventory.hpp"
 
 namespace stemwise {
@@ -84,7 +85,26 @@ ReadOptions options_for(const std::string& name, const ReadOverrides& overrides,
     options.date = parse_date(text);
     if (!options.date) issues.push_back(usage_error("--date " + text + " is not a date", "for example 2023-05-04"));
   });
+  reader.each(overrides.status, name, [&](const std::string& text) {
+    const auto status = stem_status_from(text.substr(text.rfind('=') + 1));
+    if (!status) issues.push_back(usage_error("--status " + text + ": there is no such status", "alive, dead, removed, missing or unknown"));
+    else options.status_codes[text.substr(0, text.rfind('='))] = *status;
+  });
   return options;
+}
+
+/// --sheet where nothing that it is said of has sheets or layers.
+void check_sheets(const std::vector<std::string>& paths, const std::vector<ReadOptions>& options, Issues& issues) {
+  std::string asked, without;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (options[i].sheet.empty()) continue;
+    std::error_code code;
+    const bool has_none = fs::is_directory(paths[i], code) || (fs::is_regular_file(paths[i], code) && file_kind(paths[i]) == FileKind::text);
+    if (!has_none) return;
+    asked = options[i].sheet;
+    without += (without.empty() ? "" : ", ") + paths[i];
+  }
+  if (!without.empty()) issues.push_back(usage_error("--sheet " + asked + ": " + without + " has no sheets", "only workbooks, GIS files and projects have some; leave it out"));
 }
 
 }  // namespace
@@ -106,8 +126,10 @@ ReadInputs read_inputs(const std::vector<std::string>& paths, const ReadOverride
   const OverrideReader reader(names, read.usage);
   reader.check("--map", overrides.map, true);
   reader.check("--unit", overrides.unit, true);
+  reader.check("--status", overrides.status, true);
   std::vector<ReadOptions> options;
   for (const std::string& name : names) options.push_back(options_for(name, overrides, reader, read.usage));
+  check_sheets(paths, options, read.usage);
   if (has_error(read.usage)) return read;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     progress.at(static_cast<double>(i) / static_cast<double>(paths.size()), "Reading " + names[i]);

@@ -14,6 +14,7 @@ struct ReadOverrides {
   std::vector<std::string> plot_column;  ///< C
   std::vector<std::string> plot;         ///< VALUE
   std::vector<std::string> date;         ///< 2023-05-04
+  std::vector<std::string> status;       ///< K=dead
 };
 
 }  // namespace stemwise

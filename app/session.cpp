@@ -54,10 +54,19 @@ GivenSettings given_settings(const CommonOptions& common) {
   return given;
 }
 
+Issues as_settings(Issues issues, const std::string& prefix) {
+  for (Issue& issue : issues) {
+    if (issue.column.empty()) continue;
+    issue.text = "setting " + prefix + issue.column + ": " + issue.text;
+    issue.column.clear();
+  }
+  return issues;
+}
+
 ExitCode Session::apply_settings(Fields fields) {
   GivenSettings given = given_settings(common);
   for (const auto& [key, value] : given.values) {
-    const Issues found = set_field(fields, key, value);
+    const Issues found = as_settings(set_field(fields, key, value));
     given.issues.insert(given.issues.end(), found.begin(), found.end());
   }
   console.issues(given.issues);

@@ -40,6 +40,10 @@ struct GivenSettings {
 };
 GivenSettings given_settings(const CommonOptions& common);
 
+/// Issues about settings (their key stands in `column`) in the words of the command line: "setting vote.cell_m: ...". `prefix`: what
+/// the keys lack in front.
+Issues as_settings(Issues issues, const std::string& prefix = "");
+
 /// A whole file or nothing; "-" is stdout.
 Issues write_result(const std::string& path, const std::string& text);
 

@@ -41,19 +41,20 @@ const Words& names_of(ColumnKind kind) {
     set(K::dbh, {"dbh", "dbhob", "bhd", "d130", "d13", "dhp", "dap", "diameterbh", "diameterbreastheight", "diameteratbreastheight", "dbhmeas",
                  "brusthohendurchmesser", "brusthoehendurchmesser", "stemdiameter", "treediameter", "diameter", "diametro", "diametre",
                  "durchmesser", "diam", "dia", "lapimitta", "d"});
-    set(K::circumference, {"cbh", "gbh", "cap", "circumference", "circ", "girth", "umfang", "circonference", "circonf", "circunferencia", "c130", "c13"});
+    set(K::circumference, {"cbh", "gbh", "cap", "circumference", "circ", "girth", "umfang", "perimeter", "perimetre", "perimetro", "circonference", "circonf", "circunferencia", "c130", "c13"});
     set(K::dbh_approximation, {"dbhapproximation", "dbhapprox"});
     set(K::height, {"height", "treeheight", "totalheight", "heighttotal", "treeht", "ht", "h", "th", "tht", "actualht", "hohe", "hoehe", "baumhohe",
                     "altura", "alturatotal", "hauteur", "pituus", "htotal"});
     set(K::id, {"stemid", "stemindex", "idstem", "treeid", "idtree", "idarbol", "arbol", "id", "tag", "treetag", "tagnum", "tagno", "tagnumber",
                 "tree", "treeno", "treenumber", "treenum", "treenr", "baumnr", "baumnummer", "baumid", "baum", "treefieldnum", "puunro",
-                "arbre", "number", "num", "nummer", "nr", "no", "n", "pos", "name", "label", "objectid", "fid"});
+                "arbre", "arvore", "idarvore", "albero", "number", "num", "nummer", "nr", "no", "n", "pos", "name", "label", "objectid", "fid"});
     set(K::species, {"species", "speciescode", "speciesname", "spcode", "sp", "spp", "sps", "spcd", "baumart", "art", "essence", "espece",
                      "especie", "especies", "scientificname", "latinname", "treespecies", "mnemonic", "puulaji"});
     set(K::status, {"status", "livedead", "alivedead", "statuscd", "dfstatus", "treestatus", "stemstatus", "codealive", "alive", "livingstatus",
                     "live", "vitality", "vitalstatus", "etat", "estado", "zustand"});
     set(K::date, {"exactdate", "date", "measdate", "measurementdate", "datemeasured", "surveydate", "censusdate", "inventorydate",
-                  "datum", "fecha", "aufnahmedatum", "year", "censusyear", "measyear", "surveyyear", "invyr", "jahr", "annee", "ano", "anio"});
+                  "datum", "fecha", "data", "aufnahmedatum", "messdatum", "erhebungsdatum", "inventurdatum", "datemesure", "datedemesure", "dateinventaire", "datereleve",
+                  "fechamedicion", "fechademedicion", "fechainventario", "datamedicao", "datamisura", "datarilievo", "year", "censusyear", "measyear", "surveyyear", "invyr", "jahr", "annee", "ano", "anio"});
     set(K::plot, {"plot", "plotid", "plotno", "plotnumber", "plotnum", "plotnr", "plotname", "fieldplot", "site", "siteid", "stand", "standid",
                   "parcela", "idparcela", "parcelle", "parzelle", "probekreis", "koeala", "subplot", "subp", "subplotid"});
     set(K::axis_x, {"axisx", "axis02"});
@@ -63,8 +64,7 @@ const Words& names_of(ColumnKind kind) {
     set(K::reconstructed, {"reconstructed"});
     set(K::score, {"score", "scores"});
     set(K::quadrat, {"quadrat", "quadratname", "quad"});
-    set(K::local_x, {"lx", "qx"});
-    set(K::local_y, {"ly", "qy"});
+    set(K::local_x, {"lx", "qx"}), set(K::local_y, {"ly", "qy"});
     return n;
   }();
   return names[static_cast<std::size_t>(kind)];
@@ -73,9 +73,11 @@ const Words& names_of(ColumnKind kind) {
 /// Latin letters with accents to plain ones; what has none is dropped.
 char plain_letter(std::string_view text, std::size_t& i) {
   static const std::vector<std::pair<std::string_view, char>> letters = {
-      {"ä", 'a'}, {"Ä", 'a'}, {"á", 'a'}, {"à", 'a'}, {"â", 'a'}, {"ã", 'a'}, {"å", 'a'}, {"ö", 'o'}, {"Ö", 'o'}, {"ó", 'o'},
-      {"ô", 'o'}, {"õ", 'o'}, {"ü", 'u'}, {"Ü", 'u'}, {"ú", 'u'}, {"û", 'u'}, {"é", 'e'}, {"É", 'e'}, {"è", 'e'}, {"ê", 'e'},
-      {"ë", 'e'}, {"í", 'i'}, {"î", 'i'}, {"ï", 'i'}, {"ñ", 'n'}, {"ç", 'c'}, {"š", 's'}, {"č", 'c'}, {"ž", 'z'}};
+      {"ä", 'a'}, {"á", 'a'}, {"à", 'a'}, {"â", 'a'}, {"ã", 'a'}, {"å", 'a'}, {"ö", 'o'}, {"ó", 'o'}, {"ò", 'o'}, {"ô", 'o'}, {"õ", 'o'}, {"ü", 'u'},
+      {"ú", 'u'}, {"ù", 'u'}, {"û", 'u'}, {"é", 'e'}, {"è", 'e'}, {"ê", 'e'}, {"ë", 'e'}, {"í", 'i'}, {"ì", 'i'}, {"î", 'i'}, {"ï", 'i'}, {"ñ", 'n'}, {"ç", 'c'},
+      {"š", 's'}, {"č", 'c'}, {"ž", 'z'}, {"Ä", 'a'}, {"Á", 'a'}, {"À", 'a'}, {"Â", 'a'}, {"Ã", 'a'}, {"Å", 'a'}, {"Ö", 'o'}, {"Ó", 'o'}, {"Ò", 'o'}, {"Ô", 'o'},
+      {"Õ", 'o'}, {"Ü", 'u'}, {"Ú", 'u'}, {"Ù", 'u'}, {"Û", 'u'}, {"É", 'e'}, {"È", 'e'}, {"Ê", 'e'}, {"Ë", 'e'}, {"Í", 'i'}, {"Ì", 'i'}, {"Î", 'i'},
+      {"Ï", 'i'}, {"Ñ", 'n'}, {"Ç", 'c'}, {"Š", 's'}, {"Č", 'c'}, {"Ž", 'z'}};
   for (const auto& [accented, plain] : letters) {
     if (text.substr(i).starts_with(accented)) {
       i += accented.size() - 1;
@@ -83,23 +85,6 @@ char plain_letter(std::string_view text, std::size_t& i) {
     }
   }
   return 0;
-}
-
-/// Lower-case words of letters and digits; "ﬁ" of a byte-order mark read as text and other oddities drop out.
-std::vector<std::string> words_of(std::string_view text) {
-  std::vector<std::string> words(1);
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (std::isalnum(c) != 0 && c < 0x80) {
-      words.back().push_back(static_cast<char>(std::tolower(c)));
-    } else if (const char plain = c >= 0x80 ? plain_letter(text, i) : '\0'; plain != 0) {
-      words.back().push_back(plain);
-    } else if (c < 0x80 && !words.back().empty()) {
-      words.emplace_back();
-    }
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
 }
 
 std::optional<int> census_year(std::string_view digits) {
@@ -139,6 +124,23 @@ std::string take_brackets(std::string& header) {
 }
 
 }  // namespace
+
+/// Lower-case words of letters and digits; "ﬁ" of a byte-order mark read as text and other oddities drop out.
+std::vector<std::string> plain_words(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (std::isalnum(c) != 0 && c < 0x80) {
+      words.back().push_back(static_cast<char>(std::tolower(c)));
+    } else if (const char plain = c >= 0x80 ? plain_letter(text, i) : '\0'; plain != 0) {
+      words.back().push_back(plain);
+    } else if (c < 0x80 && !words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
 
 const char* to_string(ColumnKind kind) { return kind_words[static_cast<std::size_t>(kind)]; }
 
@@ -183,7 +185,7 @@ ColumnName parse_column_name(std::string_view header) {
   ColumnName name;
   std::string text(header);
   name.unit = take_brackets(text);
-  std::vector<std::string> words = words_of(text);
+  std::vector<std::string> words = plain_words(text);
   if (words.size() > 1) {
     if (const std::string unit = unit_from_word(words.back()); !unit.empty()) {
       if (name.unit.empty()) name.unit = unit;

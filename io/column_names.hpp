@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stemwise {
 
@@ -22,6 +23,9 @@ struct ColumnName {
   std::optional<int> year;  ///< of a census, where the column is one of several
 };
 ColumnName parse_column_name(std::string_view header);
+
+/// Words of letters and digits: lower case, accents removed.
+std::vector<std::string> plain_words(std::string_view text);
 
 /// How good a name `name` is for `kind`: 0 is the best, larger is weaker; nothing when it is no name for it.
 std::optional<int> name_rank(const ColumnName& name, ColumnKind kind);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <limits>
 
 #include "io/crs.hpp"
 #include "io/export_about.hpp"
@@ -11,7 +12,7 @@
 #include "io/layer_text.hpp"
 #include "io/memory_folder.hpp"
 #include "io/replace_file.hpp"
-#include "io/read_whole_file.hpp"
+#include "io/staged_files.hpp"
 #include "io/write_layers.hpp"
 #include "io/zip_file.hpp"
 
@@ -37,7 +38,7 @@ const std::vector<Format>& formats() {
                                            {".tsv", ""},
                                            {".txt", ""},
                                            {".shp", "ESRI Shapefile", false, false, true},
-                                           {".fgb", "FlatGeobuf"},
+                                           {".fgb", "FlatGeobuf", false, false, true},
                                            {".kml", "KML", false, true, true},
                                            {".kmz", "KML", false, true, true},
                                            {".gpx", "GPX", false, true, true},
@@ -65,15 +66,17 @@ Result<Done> named(Issues issues, const std::string& path) {
   return Result<Done>::failure(std::move(issues));
 }
 
-/// GPX knows waypoints with a name and a description only.
+/// GPX knows waypoints with a name, a height and a description only.
 Layer waypoints(const Layer& layer) {
   Layer out = layer;
   out.name = "waypoints";
-  out.columns = {{"name", ColumnType::text, 0, {}}, {"desc", ColumnType::text, 0, {}}};
+  out.columns = {{"name", ColumnType::text, 0, {}}, {"ele", ColumnType::real, 2, {}}, {"desc", ColumnType::text, 0, {}}};
   for (LayerFeature& f : out.features) {
     std::string description;
+    LayerValue height;
     for (std::size_t i = 0; i < layer.columns.size(); ++i) {
       const std::string& column = layer.columns[i].name;
+      if (column == "z") height = f.values[i];
       if (column != "dbh_cm" && column != "species" && column != "fate" && column != "note" && column != "inventory") continue;
       Layer cell;
       cell.columns = {layer.columns[i]};
@@ -84,7 +87,8 @@ Layer waypoints(const Layer& layer) {
       if (!text.empty()) description += (description.empty() ? "" : ", ") + column + " " + text;
     }
     const LayerValue name = f.values.front();
-    f.values = {name, description};
+    f.values = {name, height, description};
+    for (Eigen::Vector3d& corner : f.corners) corner.z() = std::numeric_limits<double>::quiet_NaN();  // the height has a column of its own
   }
   return out;
 }
@@ -95,6 +99,14 @@ bool take_geometry(Layer& layer, const Layer& from) {
   for (std::size_t i = 0; i < layer.features.size(); ++i) layer.features[i].corners = from.features[i].corners;
   layer.epsg = from.epsg;
   return true;
+}
+
+/// Formats that need a place lose the rows that have none, and say so.
+Issues leave_out_unplaced(Layer& layer, const Format& format) {
+  const std::size_t lost = std::erase_if(layer.features, [](const LayerFeature& f) { return f.corners.empty(); });
+  if (lost == 0) return {};
+  return {{Severity::warning, {}, 0, {}, std::to_string(lost) + (lost == 1 ? " row has" : " rows have") + " no place on the map (surveys that were not aligned) and cannot stand in " + format.suffix,
+           "export .csv, .xlsx or .gpkg"}};
 }
 
 Result<std::vector<Layer>> layers_for(const ProjectState& state, const Format& format, const ExportOptions& options) {
@@ -123,14 +135,15 @@ Result<std::vector<Layer>> layers_for(const ProjectState& state, const Format& f
     return Layers::failure(Issue{Severity::error, {}, 0, {}, "layer " + layers.front().name + " has no geometry and cannot be written as " + format.suffix,
                                  "export .csv, .xlsx or .gpkg"});
   }
-  if (format.needs_geometry) std::erase_if(layers.front().features, [](const LayerFeature& f) { return f.corners.empty(); });
+  Issues issues;
+  if (format.needs_geometry) issues = leave_out_unplaced(layers.front(), format);
   if (format.suffix == ".gpx") layers.front() = waypoints(layers.front());
   if (layers.size() > 1) {
     const Layer dictionary = data_dictionary(layers);
     layers.push_back(dictionary);
     layers.push_back(about_layer(state, *frame, options.software));
   }
-  return layers;
+  return Layers(std::move(layers), std::move(issues));
 }
 
 std::string date_of_stamp() { return timestamp_utc().substr(0, 10); }
@@ -170,16 +183,19 @@ Issues write_dataset(const Format& format, const std::vector<Layer>& layers, con
   return messages.errors().empty() ? Issues{} : failure("the file is not complete");
 }
 
-/// Made in memory and written by ourselves. A Shapefile is several files: one by one, each of them whole.
-Result<Done> write_through_memory(const Format& format, std::vector<Layer> layers, const std::string& path, GdalMessages& messages) {
+/// Made in memory and written by ourselves. A Shapefile is several files.
+Result<Done> stage_through_memory(const Format& format, std::vector<Layer> layers, const std::string& path, GdalMessages& messages, StagedFiles& staged) {
   const MemoryFolder folder;
   if (format.suffix == ".shp") layers.front().name = fs::path(path).stem().string();
   const std::string name = format.suffix == ".kmz" ? "doc.kml" : fs::path(path).filename().string();
   if (Issues issues = write_dataset(format, layers, folder.path_of(name), messages); !issues.empty()) return named(std::move(issues), path);
-  if (format.suffix == ".kmz") return write_zip(path, {{name, folder.bytes_of(name)}});
+  if (format.suffix == ".kmz") {
+    staged.adopt(path);
+    return write_temporary_zip(path, {{name, folder.bytes_of(name)}});
+  }
   Result<Done> done = Done{};
   for (const std::string& file : folder.names())
-    if (done) done = write_text_file((fs::path(path).parent_path() / file).string(), folder.bytes_of(file));
+    if (done) done = staged.add((fs::path(path).parent_path() / file).string(), folder.bytes_of(file));
   return done;
 }
 
@@ -196,25 +212,24 @@ const std::vector<std::string>& export_suffixes() {
 
 namespace {
 
-Result<Done> write_layers(const Format& format, const std::vector<Layer>& layers, const std::string& path, const ExportOptions& options, GdalMessages& messages) {
+Result<Done> stage_layers(const Format& format, const std::vector<Layer>& layers, const std::string& path, const ExportOptions& options, StagedFiles& staged) {
   if (std::string_view(format.driver).empty()) {
     TextTableStyle style;
     style.decimal_comma = options.decimal_comma;
     style.delimiter = options.delimiter.value_or(format.suffix == ".tsv" ? '\t' : options.decimal_comma ? ';' : ',');
-    return write_text_file(path, (options.decimal_comma ? "\xEF\xBB\xBF" : "") + layer_text(layers.front(), style));
+    return staged.add(path, (options.decimal_comma ? "\xEF\xBB\xBF" : "") + layer_text(layers.front(), style));
   }
+  GdalMessages messages;
   const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
   const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
-  if (format.suffix != ".gpkg") return write_through_memory(format, layers, path, messages);
+  if (format.suffix != ".gpkg") return stage_through_memory(format, layers, path, messages, staged);
   const std::string temporary = temporary_beside(path);
   std::error_code ignored;
   fs::remove(temporary, ignored);
-  if (Issues issues = write_dataset(format, layers, temporary, messages); !issues.empty()) {
-    fs::remove(temporary, ignored);
-    fs::remove(temporary + "-journal", ignored);
-    return named(std::move(issues), path);
-  }
-  return replace_file(temporary, path);
+  staged.adopt(path);
+  Issues issues = write_dataset(format, layers, temporary, messages);
+  fs::remove(temporary + "-journal", ignored);
+  return issues.empty() ? Done{} : named(std::move(issues), path);
 }
 
 }  // namespace
@@ -226,13 +241,19 @@ Result<Done> export_layer(const ProjectState& state, const std::string& path, co
     for (const std::string& suffix : export_suffixes()) all += (all.empty() ? "" : ", ") + suffix;
     return refused(path, "the suffix names no format that can be written", "choose one of " + all);
   }
-  GdalMessages messages;
   auto layers = layers_for(state, *format, options);
   if (!layers) return named(std::move(layers.issues), path);
-  Result<Done> done = write_layers(*format, *layers.value, path, options, messages);
-  if (!done || layers->size() > 1) return done;
-  const auto frame = EarthFrame::of(state.georeference, options.epsg);
-  return write_text_file(path + ".about.txt", about_text(state, *frame, options.software, layers->front(), format->suffix == ".shp"));
+  StagedFiles staged;
+  if (Result<Done> done = stage_layers(*format, *layers.value, path, options, staged); !done) return done;
+  if (layers->size() == 1) {
+    const auto frame = EarthFrame::of(state.georeference, options.epsg);
+    Result<Done> done = staged.add(path + ".about.txt", about_text(state, *frame, options.software, layers->front(), format->suffix == ".shp"));
+    if (!done) return done;
+  }
+  Result<Done> done = staged.put_in_place();
+  for (Issue& issue : layers.issues) issue.file = path;
+  if (done) done.issues = std::move(layers.issues);
+  return done;
 }
 
 }  // namespace stemwise

@@ -60,7 +60,7 @@ class ForestGeo {
       const std::size_t at = census_.at(row->stem.inventory);
       if (at == census) {
         const Stem& stem = *state_.find(row->stem);
-        return cells(tree, census, stem.source_id, row->dbh_m, stem.date, stem.status == StemStatus::dead ? "D" : "A", to_string(row->fate));
+        return cells(tree, census, stem.source_id, row->dbh_m, stem.date, is_living(stem.status) ? "A" : "D", to_string(row->fate));
       }
       if (at < census) before = row;
     }

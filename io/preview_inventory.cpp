@@ -9,7 +9,7 @@
 #include "io/plot_filter.hpp"
 #include "io/project_file.hpp"
 #include "io/stem_columns.hpp"
-#include "io/stem_status.hpp"
+#include "io/status_code.hpp"
 #include "io/stems_from_table.hpp"
 #include "io/text_file.hpp"
 
@@ -83,9 +83,12 @@ void show_status_codes(const StemTable& table, const StemColumns& columns, const
   const bool from_one = table.names[*at].base == "statuscd";
   for (const auto& [code, rows] : counts) {
     const auto told = options.status_codes.find(code);
-    preview.status_codes.push_back({code, rows, told != options.status_codes.end() ? told->second : stem_status_from(code, from_one)});
+    preview.status_codes.push_back({code, rows, told != options.status_codes.end() ? told->second : status_from_code(code, from_one)});
   }
-  std::stable_sort(preview.status_codes.begin(), preview.status_codes.end(), [](const auto& a, const auto& b) { return a.rows > b.rows; });
+  std::stable_sort(preview.status_codes.begin(), preview.status_codes.end(), [from_one](const auto& a, const auto& b) {  // by the words themselves: a row stays where it is when someone says what it means
+    const bool a_is_asked = status_from_code(a.code, from_one) == StemStatus::unknown, b_is_asked = status_from_code(b.code, from_one) == StemStatus::unknown;
+    return a_is_asked != b_is_asked ? a_is_asked : a.rows > b.rows;
+  });
   if (preview.status_codes.size() > most_codes) preview.status_codes.resize(most_codes);
 }
 

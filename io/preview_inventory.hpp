@@ -34,7 +34,7 @@ struct InventoryPreview {
   std::vector<std::vector<std::string>> rows;    ///< the first ones, as the file has them
   std::int64_t row_count = 0;                    ///< of all
   std::vector<ColumnPreview> columns;
-  std::vector<StatusCodePreview> status_codes;   ///< those met, most frequent first
+  std::vector<StatusCodePreview> status_codes;   ///< those met: those that say nothing to us first, then the most frequent
   std::vector<std::string> plot_columns;         ///< headers of columns that may tell plots apart
   std::string plot_column;                       ///< the one that `plots` are of
   std::vector<std::string> plots;

@@ -39,9 +39,7 @@ std::int64_t whole(const std::string& text, const char* what) {
 }
 
 StemStatus status_from(const std::string& word) {
-  if (word == "alive") return StemStatus::alive;
-  if (word == "dead") return StemStatus::dead;
-  if (word == "unknown") return StemStatus::unknown;
+  if (const auto status = stem_status_from(word)) return *status;
   damaged("unknown stem status " + word);
 }
 

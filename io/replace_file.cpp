@@ -56,25 +56,46 @@ Result<Done> replace_file(const std::string& temporary, const std::string& given
   return Done{};
 }
 
+namespace {
+
+/// Writes all of the text and closes. Errno, 0 when it went well.
+int write_all(int descriptor, std::string_view text, bool is_file) {
+  int error = 0;
+  while (!text.empty() && error == 0) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0) text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR) error = errno;
+  }
+  if (error == 0 && is_file && ::fsync(descriptor) != 0) error = errno;  // some file systems tell only now that they are full
+  ::close(descriptor);
+  return error;
+}
+
+/// A device or a pipe: written into, never replaced.
+Result<Done> write_stream(const std::string& path, std::string_view text) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return failed(path, std::strerror(errno));
+  const int error = write_all(descriptor, text, false);
+  return error == 0 ? Result<Done>(Done{}) : failed(path, std::strerror(error));
+}
+
+}  // namespace
+
+Result<Done> write_temporary(const std::string& path, std::string_view text) {
+  const std::string temporary = temporary_beside(path);
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return failed(path, std::strerror(errno));
+  const int error = write_all(descriptor, text, true);
+  if (error == 0) return Done{};
+  ::unlink(temporary.c_str());
+  return failed(path, std::strerror(error));
+}
+
 Result<Done> write_text_file(const std::string& path, std::string_view text) {
   std::error_code ignored;
-  const bool is_stream = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);  // /dev/null, a pipe: written into
-  const std::string temporary = is_stream ? path : temporary_beside(path);
-  const int descriptor = ::open(temporary.c_str(), is_stream ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) return failed(path, std::strerror(errno));
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const std::string why = std::strerror(errno);
-      ::close(descriptor);
-      if (!is_stream) ::unlink(temporary.c_str());
-      return failed(path, why);
-    }
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  ::close(descriptor);
-  return is_stream ? Result<Done>(Done{}) : replace_file(temporary, path);
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored)) return write_stream(path, text);
+  if (Result<Done> done = write_temporary(path, text); !done) return done;
+  return replace_file(temporary_beside(path), path);
 }
 
 long long timestamp_s() {

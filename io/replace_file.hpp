@@ -13,7 +13,10 @@ std::string temporary_beside(const std::string& path);
 /// `temporary` is gone.
 Result<Done> replace_file(const std::string& temporary, const std::string& path);
 
-/// Writes a whole text file that way.
+/// Writes a whole file under the name `temporary_beside(path)` and flushes it to the disk. On failure nothing of it stays.
+Result<Done> write_temporary(const std::string& path, std::string_view text);
+
+/// Writes a whole text file and puts it in the place of `path`.
 Result<Done> write_text_file(const std::string& path, std::string_view text);
 
 /// Seconds since 1970 for time stamps in files: SOURCE_DATE_EPOCH where that is set, else now.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "io/stem_dates.hpp"
 #include "io/stem_units.hpp"
 
 namespace stemwise {
@@ -116,29 +117,6 @@ void choose_id(const StemTable& table, StemColumns& columns) {
   columns.at[static_cast<std::size_t>(K::id)] = best ? best : best_named(table, K::id, std::nullopt);
 }
 
-/// Among the date columns the first that holds dates (ForestGEO's `date` is a count of days).
-std::optional<std::size_t> choose_date(const StemTable& table) {
-  std::optional<std::size_t> best;
-  int best_rank = 0;
-  for (std::size_t i = 0; i < table.names.size(); ++i) {
-    const auto rank = name_rank(table.names[i], K::date);
-    if (!rank || (best && *rank >= best_rank)) continue;
-    std::size_t filled = 0;
-    std::size_t dates = 0;
-    for (const GridRow& row : table.rows) {
-      const auto cell = table.cell(row, i);
-      if (is_missing_mark(cell)) continue;
-      ++filled;
-      dates += parse_date(cell) ? 1 : 0;
-      if (filled == 200) break;
-    }
-    if (dates == 0 || 2 * dates < filled) continue;
-    best = i;
-    best_rank = *rank;
-  }
-  return best;
-}
-
 void choose_by_name(const StemTable& table, StemColumns& columns) {
   for (const K kind : {K::z, K::dbh, K::circumference, K::dbh_approximation, K::height, K::species, K::status, K::axis_x, K::axis_y, K::axis_z,
                        K::number_clusters, K::reconstructed, K::score}) {
@@ -153,7 +131,7 @@ void choose_by_name(const StemTable& table, StemColumns& columns) {
   choose_id(table, columns);
   columns.genus = table.find("Genus");
   if (!columns[K::species] || table.names[*columns[K::species]].base != "species") columns.genus.reset();
-  columns.at[static_cast<std::size_t>(K::date)] = choose_date(table);
+  columns.at[static_cast<std::size_t>(K::date)] = choose_date_column(table);
 }
 
 void take_options(const StemTable& table, const ReadOptions& options, StemColumns& columns) {
@@ -167,10 +145,26 @@ void take_options(const StemTable& table, const ReadOptions& options, StemColumn
   }
 }
 
+/// A header that stands twice: which of the columns was meant?
+void warn_of_repeated_headers(const StemTable& table, StemColumns& columns) {
+  std::vector<std::size_t> used = {columns.position.first, columns.position.second};
+  for (const auto& at : columns.at)
+    if (at) used.push_back(*at);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (const std::size_t at : used) {
+    const auto same = std::count(table.header.begin(), table.header.end(), table.header[at]);
+    if (same < 2) continue;
+    columns.issues.push_back({Severity::warning, table.file, table.header_row, table.header[at],
+                              "the header has this name " + std::to_string(same) + " times; column " + std::to_string(at + 1) + " was read", "give the other column another name"});
+  }
+}
+
 /// "species: column sp", one line per column taken, except those that the units tell.
 void note_columns(const StemTable& table, StemColumns& columns) {
   for (const K kind : {K::id, K::species, K::status, K::date, K::axis_x}) {
-    if (const auto at = columns[kind]) columns.notes.push_back(std::string(kind == K::axis_x ? "axis" : to_string(kind)) + ": column " + table.header[*at]);
+    if (const auto at = columns[kind])
+      columns.notes.push_back(std::string(kind == K::axis_x ? "axis" : to_string(kind)) + ": column " + table.header[*at] + (kind == K::date ? date_reading_of(table, *at).in_words() : ""));
   }
   if (columns.tag) columns.notes.push_back("id: columns " + table.header[*columns.tag] + " and " + table.header[*columns.stem_tag]);
   if (!columns[K::id] && !columns.tag) columns.notes.push_back("id: row number");
@@ -202,6 +196,7 @@ Result<StemColumns> recognise_columns(const StemTable& table, const ReadOptions&
   take_options(table, options, columns);
   decide_units(table, options, columns);
   note_columns(table, columns);
+  warn_of_repeated_headers(table, columns);
   return columns;
 }
 

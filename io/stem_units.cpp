@@ -59,6 +59,7 @@ class UnitDecision {
         const Unit unit = diameter_unit(kind, *at);
         columns_.dbh_m = metres_per(unit.word) / (kind == K::circumference ? std::numbers::pi : 1.0);
         note(kind, *at, unit, kind == K::circumference ? ", divided by pi" : "");
+        warn_of_mixed_units(*at);
       }
     }
     if (const auto at = columns_[K::dbh_approximation]) columns_.dbh_approximation_m = metres_per(named(K::dbh_approximation, *at, "m").word);
@@ -82,6 +83,21 @@ class UnitDecision {
     columns_.issues.push_back({Severity::warning, table_.file, table_.header_row, table_.header[column],
                                "unit guessed: " + unit.word + " (" + unit.how + ")",
                                std::string("if that is wrong: --unit ") + to_string(kind) + "=UNIT"});
+  }
+
+  /// Whole numbers that are ten times as large as those with a decimal: millimetres among centimetres.
+  void warn_of_mixed_units(std::size_t column) const {
+    constexpr double far_apart = 5.0, least_share = 0.1;
+    std::vector<double> whole, broken;
+    for (const double value : table_.numbers(column))
+      if (value > 0.0) (value == std::floor(value) ? whole : broken).push_back(value);
+    const double least = least_share * static_cast<double>(whole.size() + broken.size());
+    if (whole.size() < 3 || broken.size() < 3 || static_cast<double>(std::min(whole.size(), broken.size())) < least) return;
+    const double large = *median_of(whole), small = *median_of(broken);
+    if (large < far_apart * small) return;
+    columns_.issues.push_back({Severity::warning, table_.file, table_.header_row, table_.header[column],
+                               "two units seem to be mixed: whole numbers around " + short_number(large) + " and decimals around " + short_number(small) + "; all were read as one",
+                               "bring the column to one unit"});
   }
 
   std::optional<Unit> told(K kind, std::size_t column) const {

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
-#include <unordered_map>
 
 #include "io/crs.hpp"
 #include "io/inventory_date.hpp"
 #include "io/plot_filter.hpp"
+#include "io/project_degrees.hpp"
+#include "io/repeated_stems.hpp"
+#include "io/status_code.hpp"
 #include "io/stem_columns.hpp"
-#include "io/stem_status.hpp"
+#include "io/stem_dates.hpp"
 
 namespace stemwise {
 namespace {
@@ -25,6 +28,7 @@ class StemMaker {
  public:
   StemMaker(const StemTable& table, const StemColumns& columns, const ReadOptions& options) : table_(table), columns_(columns), options_(options) {
     if (const auto at = columns[K::status]) numbers_from_one_ = table.names[*at].base == "statuscd";
+    if (const auto at = columns[K::date]) dates_ = date_reading_of(table, *at);
   }
 
   void run() {
@@ -40,9 +44,13 @@ class StemMaker {
         ++rows_bad_;
         continue;
       }
-      if (stem.status == StemStatus::dead) {
+      if (stem.status == StemStatus::missing) {
+        issues_.resize(issues_before);
+        ++rows_missing_;
+        continue;
+      }
+      if (!is_living(stem.status)) {
         issues_.resize(issues_before);  // nobody minds a dead tree's missing diameter
-        ++rows_dead_;
       } else if (columns_.several_censuses && !stem.dbh_m) {
         ++rows_absent_;
         continue;
@@ -63,7 +71,8 @@ class StemMaker {
   std::vector<Stem> stems_;
   std::vector<std::size_t> rows_;  ///< table row of each stem
   Issues issues_;
-  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_dead_ = 0, rows_absent_ = 0, unknown_status_ = 0;
+  std::size_t rows_met_ = 0, rows_bad_ = 0, rows_absent_ = 0, rows_missing_ = 0;
+  std::map<std::string, std::size_t> unknown_codes_;  ///< of the status column, and how many rows have each
   Issues without_number_;  ///< NaN where a measurement may be missing
 
  private:
@@ -209,12 +218,12 @@ class StemMaker {
     }
     if (const auto status = text(columns_[K::status]); !status.empty()) {
       const auto told = options_.status_codes.find(std::string(status));
-      stem.status = told != options_.status_codes.end() ? told->second : stem_status_from(status, numbers_from_one_);
-      unknown_status_ += stem.status == StemStatus::unknown && !is_missing_mark(status) ? 1 : 0;
+      stem.status = told != options_.status_codes.end() ? told->second : status_from_code(status, numbers_from_one_);
+      if (stem.status == StemStatus::unknown && told == options_.status_codes.end() && !is_missing_mark(status)) ++unknown_codes_[std::string(status)];
     }
     if (const auto date = text(columns_[K::date]); !is_missing_mark(date)) {
-      stem.date = parse_date(date);
-      if (!stem.date) complain(row, *columns_[K::date], shown(date) + ", expected a date such as 2023-05-04; left out");
+      stem.date = dates_(date);
+      if (!stem.date) complain(row, *columns_[K::date], shown(date) + " " + why_no_date(date) + " (2023-05-04 can); left out");
     }
   }
 
@@ -253,93 +262,43 @@ class StemMaker {
   const StemTable& table_;
   const StemColumns& columns_;
   const ReadOptions& options_;
+  DateReading dates_;
   bool numbers_from_one_ = false;
   bool bad_ = false;
 };
 
-/// Degrees to metres in the UTM zone of the middle stem; stems without a place there are left out.
-Issues project_to_utm(std::vector<Stem>& stems, int from_epsg, std::optional<int>& epsg, std::vector<std::string>& notes) {
-  std::vector<double> lon, lat;
-  const auto to_degrees = CrsTransform::between(from_epsg, wgs84_epsg);
-  if (!to_degrees) return to_degrees.issues;
-  for (const Stem& s : stems) {
-    if (const auto p = (*to_degrees)({s.x_m, s.y_m, 0.0})) lon.push_back(p->x()), lat.push_back(p->y());
-  }
-  if (lon.empty()) return {};
-  epsg = utm_epsg_of(*median_of(lon), *median_of(lat));
-  const auto project = CrsTransform::between(from_epsg, *epsg);
-  if (!project) return project.issues;
-  for (Stem& s : stems) {
-    if (const auto p = (*project)({s.x_m, s.y_m, 0.0})) s.x_m = p->x(), s.y_m = p->y();
-  }
-  notes.push_back("positions projected to " + crs_name(*epsg) + " (EPSG:" + std::to_string(*epsg) + ")");
-  return {};
-}
-
-/// Degrees that call themselves x and y: more than three stems on every square metre if they were metres.
-bool are_degrees_in_disguise(const std::vector<Stem>& stems, const StemColumns& columns) {
-  if (columns.position.scheme != PositionScheme::cartesian || stems.size() < 5) return false;
-  double low_x = 1e300, low_y = 1e300, high_x = -1e300, high_y = -1e300;
-  for (const Stem& s : stems) {
-    low_x = std::min(low_x, s.x_m), high_x = std::max(high_x, s.x_m);
-    low_y = std::min(low_y, s.y_m), high_y = std::max(high_y, s.y_m);
-  }
-  if (std::max(std::abs(low_x), std::abs(high_x)) > 180.0 || std::max(std::abs(low_y), std::abs(high_y)) > 90.0) return false;
-  return (high_x - low_x) * (high_y - low_y) * 3.0 < static_cast<double>(stems.size());
-}
-
-void set_dates(Inventory& inventory, const StemTable& table, const StemColumns& columns, const ReadOptions& options) {
-  std::vector<Date> dates;
-  for (const Stem& s : inventory.stems) {
-    if (s.date) dates.push_back(*s.date);
-  }
-  auto& notes = inventory.source.notes;
-  inventory.date = median_date(dates);
-  if (inventory.date) notes.push_back("date: " + to_string(*inventory.date) + ", median of " + std::to_string(dates.size()) + " stems");
-  if (!inventory.date && columns.census_year) {
-    inventory.date = date_from_civil(*columns.census_year, 7, 1);
-    notes.push_back("date: " + std::to_string(*columns.census_year) + ", by the header");
-  }
-  if (!inventory.date) {
-    inventory.date = date_from_name(table.file);
-    if (inventory.date) notes.push_back("date: " + to_string(*inventory.date) + ", from the name");
-  }
-  if (options.date) {
-    inventory.date = options.date;
-    for (Stem& s : inventory.stems) s.date.reset();
-    notes.push_back("date: " + to_string(*options.date) + ", as told");
-  }
-}
-
 void note_counts(const StemMaker& made, Inventory& inventory) {
   std::string text = "rows: " + std::to_string(made.rows_met_) + ", stems read: " + std::to_string(made.stems_.size());
   if (made.rows_bad_ > 0) text += ", bad rows left out: " + std::to_string(made.rows_bad_);
-  if (made.rows_dead_ > 0) text += ", dead by their status: " + std::to_string(made.rows_dead_);
+  const auto count = [&](StemStatus status) { return std::count_if(made.stems_.begin(), made.stems_.end(), [status](const Stem& s) { return s.status == status; }); };
+  if (const auto dead = count(StemStatus::dead); dead > 0) text += ", dead by their status: " + std::to_string(dead);
   if (made.rows_absent_ > 0) text += ", stems not measured in this census left out: " + std::to_string(made.rows_absent_);
-  if (made.unknown_status_ > 0) text += ", stems of unknown status kept: " + std::to_string(made.unknown_status_);
+  if (const auto removed = count(StemStatus::removed); removed > 0) text += ", removed by their status: " + std::to_string(removed);
+  if (made.rows_missing_ > 0) text += ", not found by their status, so not seen and left out: " + std::to_string(made.rows_missing_);
   inventory.source.notes.push_back(text);
   std::size_t measured = 0;
   for (const Stem& s : made.stems_) measured += s.dbh_m ? 1 : 0;
   if (measured < made.stems_.size()) inventory.source.notes.push_back("stems without a measured DBH: " + std::to_string(made.stems_.size() - measured));
 }
 
-/// Stems that stand apart under one id: several stems of one tree share it rightly, two trees do not. Plots may each
-/// count their own.
-Issues warn_of_repeated_ids(const StemTable& table, const StemColumns& columns, const std::vector<Stem>& stems) {
-  constexpr double one_tree_m = 2.0;
-  if (!columns[K::id] || columns.tag || !plot_columns_with_several_values(table).empty()) return {};
-  std::unordered_map<std::string_view, const Stem*> first;
-  std::size_t repeated = 0;
-  Issue issue{Severity::warning, table.file, 0, table.header[*columns[K::id]], {}, "matches are named by these ids: give every tree its own"};
-  for (const Stem& stem : stems) {
-    const auto [earlier, is_new] = first.try_emplace(stem.source_id, &stem);
-    if (is_new || std::hypot(stem.x_m - earlier->second->x_m, stem.y_m - earlier->second->y_m) <= one_tree_m) continue;
-    if (repeated++ > 0) continue;
-    issue.row = stem.source_row;
-    issue.text = "\"" + stem.source_id + "\" is already the id of row " + std::to_string(earlier->second->source_row) + ", which stands elsewhere; both are kept";
-  }
-  if (repeated > 1) issue.text += " (and " + std::to_string(repeated - 1) + " more such rows)";
-  return repeated > 0 ? Issues{issue} : Issues{};
+/// The words of the status column that say nothing to us, with their rows.
+Issues warn_of_unknown_codes(const StemTable& table, const StemColumns& columns, const std::map<std::string, std::size_t>& codes) {
+  constexpr std::size_t codes_named = 8;
+  if (codes.empty()) return {};
+  std::vector<std::pair<std::string, std::size_t>> frequent(codes.begin(), codes.end());
+  std::stable_sort(frequent.begin(), frequent.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string list;
+  for (std::size_t i = 0; i < std::min(codes_named, frequent.size()); ++i)
+    list += (i > 0 ? ", \"" : "\"") + frequent[i].first.substr(0, 40) + "\" (" + std::to_string(frequent[i].second) + (frequent[i].second == 1 ? " row)" : " rows)");
+  if (frequent.size() > codes_named) list += ", ... (" + std::to_string(frequent.size()) + " words)";
+  return {{Severity::warning, table.file, 0, table.header[*columns[K::status]], "unknown status: " + list + "; these stems are taken as living",
+           "say what it means: --status \"" + frequent.front().first + "=dead\" (alive, dead, removed or missing)"}};
+}
+
+Issues issues_so_far(const StemTable& table, const StemColumns& columns, const StemMaker& made) {
+  Issues issues = table.issues;
+  for (const Issues& more : {columns.issues, made.issues_, made.not_a_number_issues()}) issues.insert(issues.end(), more.begin(), more.end());
+  return issues;
 }
 
 Issue nothing_usable(const StemTable& table) {
@@ -372,29 +331,18 @@ Result<Inventory> inventory_from_table(StemTable table, const ReadOptions& optio
   inventory.source.path = table.file;
   inventory.source.notes = table.notes;
   inventory.source.notes.insert(inventory.source.notes.end(), columns->notes.begin(), columns->notes.end());
-  Issues issues = table.issues;
-  issues.insert(issues.end(), columns->issues.begin(), columns->issues.end());
-  issues.insert(issues.end(), made.issues_.begin(), made.issues_.end());
-  const Issues nans = made.not_a_number_issues();
-  issues.insert(issues.end(), nans.begin(), nans.end());
+  Issues issues = issues_so_far(table, *columns, made);
   if (made.stems_.empty()) {
     issues.insert(issues.begin(), nothing_usable(table));
     return Result<Inventory>::failure(std::move(issues));
   }
+  for (Issue& issue : leave_out_repeated_rows(table, *columns, made.stems_, made.rows_)) issues.push_back(std::move(issue));
+  for (Issue& issue : warn_of_unknown_codes(table, *columns, made.unknown_codes_)) issues.push_back(std::move(issue));
+  for (Issue& issue : warn_of_unread_dates(table, *columns, options)) issues.push_back(std::move(issue));
   note_counts(made, inventory);
   inventory.stems = std::move(made.stems_);
   inventory.source.epsg = epsg;
-  std::optional<int> geographic = columns->position.scheme == PositionScheme::geographic ? std::optional(wgs84_epsg) : std::nullopt;
-  if (!geographic && epsg && is_geographic_epsg(*epsg)) geographic = epsg;
-  if (!geographic && !epsg && are_degrees_in_disguise(inventory.stems, *columns)) {
-    geographic = wgs84_epsg;
-    issues.push_back({Severity::warning, table.file, table.header_row, table.header[columns->position.first],
-                      "positions look like longitude and latitude in degrees and were read as such", "if that is wrong: --unit x=m"});
-  }
-  if (geographic) {
-    const Issues problems = project_to_utm(inventory.stems, *geographic, inventory.source.epsg, inventory.source.notes);
-    issues.insert(issues.end(), problems.begin(), problems.end());
-  }
+  for (Issue& issue : project_degrees(table, *columns, inventory)) issues.push_back(std::move(issue));
   std::vector<double> x_m, y_m;
   for (const Stem& s : inventory.stems) x_m.push_back(s.x_m), y_m.push_back(s.y_m);
   for (Issue& issue : warn_of_overlapping_plots(table, made.rows_, x_m, y_m, columns->position.scheme == PositionScheme::polar)) issues.push_back(std::move(issue));

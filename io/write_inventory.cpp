@@ -30,7 +30,7 @@ std::string quoted(const std::string& cell, char delimiter) {
 }
 
 const char* status_word(StemStatus status) {
-  return status == StemStatus::alive ? "alive" : status == StemStatus::dead ? "dead" : "";
+  return status == StemStatus::unknown ? "" : to_string(status);
 }
 
 /// To 1e-10 cm, so that metres to centimetres and back does not count up last digits.
@@ -132,6 +132,11 @@ Result<Done> write_frame_folder(const std::string& folder, const FrameSet& frame
   }
   if (!done) fs::remove_all(beside, code);
   return done;
+}
+
+const std::vector<std::string>& inventory_suffixes() {
+  static const std::vector<std::string> suffixes = {".csv", ".tsv", ".txt", ""};
+  return suffixes;
 }
 
 Result<Done> write_inventory(const std::string& path, const Inventory& inventory) {

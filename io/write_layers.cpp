@@ -77,7 +77,9 @@ Issue failed(const Layer& layer, const std::string& what) {
   return {Severity::error, {}, 0, {}, "layer " + layer.name + ": " + what + ": " + CPLGetLastErrorMsg(), {}};
 }
 
-Issues add_fields(OGRLayer& target, const Layer& layer, const LayerWriteOptions& options) {
+/// A field per column; `fields`: the index of each. GPX and KML have some of their own from the start.
+Issues add_fields(OGRLayer& target, const Layer& layer, const LayerWriteOptions& options, std::vector<int>& fields) {
+  const int own = target.GetLayerDefn()->GetFieldCount();
   const std::vector<std::string> short_names = options.short_names ? short_column_names(layer.columns) : std::vector<std::string>();
   for (std::size_t i = 0; i < layer.columns.size(); ++i) {
     const LayerColumn& column = layer.columns[i];
@@ -85,7 +87,9 @@ Issues add_fields(OGRLayer& target, const Layer& layer, const LayerWriteOptions&
     OGRFieldDefn field(options.short_names ? short_names[i].c_str() : column.name.c_str(), type);
     if (options.short_names && column.type == ColumnType::real) field.SetWidth(24), field.SetPrecision(column.decimals);
     if (options.short_names && column.type == ColumnType::integer) field.SetWidth(10);
-    if (target.CreateField(&field) != OGRERR_NONE) return {failed(layer, "column " + column.name)};
+    const int there = target.GetLayerDefn()->GetFieldIndex(field.GetNameRef());
+    fields.push_back(there >= 0 && there < own ? there : target.GetLayerDefn()->GetFieldCount());
+    if (fields.back() != there && target.CreateField(&field) != OGRERR_NONE) return {failed(layer, "column " + column.name)};
   }
   return {};
 }
@@ -115,14 +119,15 @@ Issues write_layer(GDALDataset& dataset, const Layer& layer, const LayerWriteOpt
   OGRLayer* target = dataset.CreateLayer(layer.name.c_str(), needs_system ? &system : nullptr, geometry_type(layer.geometry, with_z), list);
   CSLDestroy(list);
   if (target == nullptr) return {failed(layer, "cannot be made")};
+  std::vector<int> fields;
   if (!options.geometry_only) {
-    if (Issues issues = add_fields(*target, layer, options); !issues.empty()) return issues;
+    if (Issues issues = add_fields(*target, layer, options, fields); !issues.empty()) return issues;
   }
   OGRFeature feature(target->GetLayerDefn());
   for (const LayerFeature& row : layer.features) {
     feature.Reset();
     for (std::size_t i = 0; i < row.values.size() && !options.geometry_only; ++i) {
-      set_value(feature, static_cast<int>(i), row.values[i], layer.columns[i], options.round_values);
+      set_value(feature, fields[i], row.values[i], layer.columns[i], options.round_values);
     }
     feature.SetGeometryDirectly(geometry_of(layer, row, with_z).release());
     if (target->CreateFeature(&feature) != OGRERR_NONE) return {failed(layer, "a row cannot be written")};

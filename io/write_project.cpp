@@ -27,10 +27,6 @@ std::string pose_text(const RigidTransform& pose) {
   return exact_list(numbers);
 }
 
-const char* status_word(StemStatus status) {
-  return status == StemStatus::alive ? "alive" : status == StemStatus::dead ? "dead" : "unknown";
-}
-
 std::string lines(const std::vector<std::string>& notes) {
   std::string text;
   for (const std::string& note : notes) text += note + "\n";
@@ -91,7 +87,7 @@ class StateWriter {
         const bool has_tree = trees != state_.tree_of_stem.end() && i < trees->second.size();
         const auto axis = [&s](int k) { return s.axis ? std::optional((*s.axis)(k)) : std::nullopt; };
         t.row(inventory->id.value, static_cast<std::int64_t>(i), s.source_id, s.source_row, s.x_m, s.y_m, s.z_m, s.dbh_m, s.dbh_approximation_m, axis(0),
-              axis(1), axis(2), s.height_m, s.reconstructed, s.score, s.number_clusters, s.times_seen, status_word(s.status), days(s.date), s.species,
+              axis(1), axis(2), s.height_m, s.reconstructed, s.score, s.number_clusters, s.times_seen, to_string(s.status), days(s.date), s.species,
               s.note, has_tree ? std::optional(trees->second[i].value) : std::nullopt);
       }
     }

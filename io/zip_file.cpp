@@ -9,7 +9,7 @@
 
 namespace stemwise {
 
-Result<Done> write_zip(const std::string& path, const std::vector<ZipEntry>& entries) {
+Result<Done> write_temporary_zip(const std::string& path, const std::vector<ZipEntry>& entries) {
   const GdalMessages messages;
   const std::string temporary = temporary_beside(path);
   std::error_code ignored;
@@ -23,10 +23,15 @@ Result<Done> write_zip(const std::string& path, const std::vector<ZipEntry>& ent
     complete = complete && CPLCloseFileInZip(zip) == CE_None;
   }
   if (zip != nullptr) complete = CPLCloseZip(zip) == CE_None && complete;
-  if (complete) return replace_file(temporary, path);
+  if (complete) return Done{};
   std::filesystem::remove(temporary, ignored);
   return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written" + (messages.errors().empty() ? "" : ": " + messages.last_error()),
                                      "does the folder exist, and may you write there?"});
+}
+
+Result<Done> write_zip(const std::string& path, const std::vector<ZipEntry>& entries) {
+  if (Result<Done> done = write_temporary_zip(path, entries); !done) return done;
+  return replace_file(temporary_beside(path), path);
 }
 
 }  // namespace stemwise

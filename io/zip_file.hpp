@@ -12,7 +12,9 @@ struct ZipEntry {
   std::string bytes;
 };
 
-/// A zip archive in place of `path`, whole or not at all; the same bytes for the same entries.
+/// A zip archive under the name `temporary_beside(path)`, whole or not at all; the same bytes for the same entries.
+Result<Done> write_temporary_zip(const std::string& path, const std::vector<ZipEntry>& entries);
+/// The same, put in the place of `path`.
 Result<Done> write_zip(const std::string& path, const std::vector<ZipEntry>& entries);
 
 }  // namespace stemwise

@@ -50,7 +50,7 @@ bool was_dead_before(const Derived& d, const ProjectState& state, TreeId tree, I
   const std::vector<std::size_t>& seen = d.observations.at(tree);
   return std::any_of(seen.begin(), seen.end(), [&](std::size_t i) {
     const StemRef stem = d.tables.observations[i].stem;
-    return stem.inventory != last && state.find(stem)->status == StemStatus::dead;
+    return stem.inventory != last && !is_living(state.find(stem)->status);
   });
 }
 

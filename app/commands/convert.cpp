@@ -8,6 +8,7 @@
 namespace stemwise {
 
 ExitCode run_convert(const ConvertOptions& options, Session& session) {
+  if (const ExitCode code = check_suffix(options.output, inventory_suffixes(), "an inventory (or a folder of frames, whose name has no suffix)", session.console); code != ExitCode::done) return code;
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.input}, session.console); code != ExitCode::done) return code;
   LoadedInventories loaded = load_inventories({options.input}, options.read, session, session.progress());
   session.console.end_progress();

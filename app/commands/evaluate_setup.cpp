@@ -50,7 +50,7 @@ ExitCode EvaluateSetup::check_settings() {
   }
   Issues wrong = tried.check();
   for (Issue& issue : protocol_.check()) wrong.push_back(std::move(issue));
-  session_.console.issues(wrong);
+  session_.console.issues(as_settings(wrong));
   if (has_error(wrong)) return ExitCode::usage;
   given_ = given_settings(session_.common).values;
   warn_of_unused(given_);

@@ -1,6 +1,7 @@
 #include "app/commands/export.hpp"
 
-#include <cstdio>
+#include <cctype>
+#include <cstring>
 
 #include "app/check_output.hpp"
 #include "app/commands/open_project.hpp"
@@ -10,6 +11,9 @@
 
 namespace stemwise {
 namespace {
+
+/// Not what numbers, words and quoted fields are made of.
+bool can_delimit(char c) { return c == '\t' || (std::ispunct(static_cast<unsigned char>(c)) != 0 && std::strchr("\"'.-+_", c) == nullptr) || c == ' '; }
 
 /// What the options mean; nothing, after having said why, when they mean nothing.
 std::optional<ExportOptions> export_options(const ExportCommandOptions& given, Console& console) {
@@ -32,10 +36,10 @@ std::optional<ExportOptions> export_options(const ExportCommandOptions& given, C
   }
   if (given.delimiter == "tab" || given.delimiter == "\\t") {
     options.delimiter = '\t';
-  } else if (given.delimiter.size() == 1) {
+  } else if (given.delimiter.size() == 1 && can_delimit(given.delimiter.front())) {
     options.delimiter = given.delimiter.front();
   } else if (!given.delimiter.empty()) {
-    console.error("--delimiter " + given.delimiter + ": expected one character, or tab");
+    console.error("--delimiter " + given.delimiter + ": expected one character that stands in no number, word or quote, such as ; or | or a comma, or tab");
     return std::nullopt;
   }
   return options;
@@ -46,6 +50,7 @@ std::optional<ExportOptions> export_options(const ExportCommandOptions& given, C
 ExitCode run_export(const ExportCommandOptions& given, Session& session) {
   const std::optional<ExportOptions> options = export_options(given, session.console);
   if (!options) return ExitCode::usage;
+  if (const ExitCode code = check_suffix(given.output, export_suffixes(), "an export", session.console); code != ExitCode::done) return code;
   if (const ExitCode code = check_output(given.output, OutputKind::other, {given.project}, session.console); code != ExitCode::done) return code;
   const std::optional<Project> project = open_project(given.project, session);
   if (!project) return ExitCode::unusable_input;

@@ -16,6 +16,7 @@ void count(const Stem& stem, const Eigen::Vector3d& at_m, InventorySummary& sum)
   sum.with_axis += stem.axis.has_value() ? 1 : 0;
   sum.with_species += stem.species.empty() ? 0 : 1;
   sum.dead += stem.status == StemStatus::dead ? 1 : 0;
+  sum.removed += stem.status == StemStatus::removed ? 1 : 0;
   sum.low_m = sum.low_m.cwiseMin(at_m.head<2>());
   sum.high_m = sum.high_m.cwiseMax(at_m.head<2>());
 }
@@ -57,6 +58,7 @@ ordered_json recognised_json(const Inventory& inventory) {
   json["with_axis"] = sum.with_axis;
   json["with_species"] = sum.with_species;
   json["dead"] = sum.dead;
+  json["removed"] = sum.removed;
   json["extent_m"] = {{"x", {sum.low_m.x(), sum.high_m.x()}}, {"y", {sum.low_m.y(), sum.high_m.y()}}};
   return json;
 }
@@ -95,6 +97,7 @@ std::string info_text(const ReadInput& input) {
   text += line("with DBH", share(sum.with_dbh, sum.stems)) + line("with z", share(sum.with_z, sum.stems));
   text += line("with axis", share(sum.with_axis, sum.stems));
   if (sum.dead > 0) text += line("dead", share(sum.dead, sum.stems));
+  if (sum.removed > 0) text += line("removed", share(sum.removed, sum.stems));
   text += line("date", inventory.date ? to_string(*inventory.date) : "unknown (give it with --date)");
   char extent[160];
   std::snprintf(extent, sizeof extent, "%.1f x %.1f m, x %.3f to %.3f, y %.3f to %.3f", sum.high_m.x() - sum.low_m.x(),

@@ -12,7 +12,7 @@ namespace stemwise {
 struct InventorySummary {
   std::size_t stems = 0;   ///< of a frame folder: over all frames
   std::size_t frames = 0;  ///< 0: not a frame folder
-  std::size_t with_dbh = 0, with_z = 0, with_axis = 0, with_species = 0, dead = 0;
+  std::size_t with_dbh = 0, with_z = 0, with_axis = 0, with_species = 0, dead = 0, removed = 0;
   Eigen::Vector2d low_m = Eigen::Vector2d::Zero();  ///< extent in the inventory's own frame
   Eigen::Vector2d high_m = Eigen::Vector2d::Zero();
 };

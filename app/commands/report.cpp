@@ -62,16 +62,20 @@ Result<Done> write_field_check(const ReportCommandOptions& options, const Projec
   const FieldCheck check = make_field_check(state, tables, options.field_check_trees);
   if (suffix_of(options.output) == ".gpx") return write_field_check_gpx(options.output, check, state.georeference, software);
   const bool for_print = suffix_of(options.output) == ".pdf" || suffix_of(options.output).starts_with(".htm");
-  return write_report(options.output, make_field_check_document(check, state.title, software, for_print));
+  return write_report(options.output, make_field_check_document(check, state, software, for_print));
 }
 
 }  // namespace
 
 ExitCode run_report(const ReportCommandOptions& options, Session& session) {
-  if (options.area_ha && *options.area_ha <= 0.0) {
-    session.console.error("--area-ha must be more than 0");
+  constexpr double least_ha = 1e-4, most_ha = 1e6;  // a square metre, a country
+  if (options.area_ha && !(*options.area_ha >= least_ha && *options.area_ha <= most_ha)) {
+    session.console.error("--area-ha: expected an area in hectares between 0.0001 and 1000000");
     return ExitCode::usage;
   }
+  std::vector<std::string> suffixes = report_suffixes();
+  if (options.field_check) suffixes.emplace_back(".gpx");
+  if (const ExitCode code = check_suffix(options.output, suffixes, options.field_check ? "a field check sheet" : "a report", session.console); code != ExitCode::done) return code;
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
   std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;

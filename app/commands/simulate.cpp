@@ -79,6 +79,10 @@ ExitCode resurvey(const SimulateOptions& options, const SimulateSettings& settin
   const Result<Inventory>& inventory = read.inputs.front().inventory;
   session.console.issues(inventory.issues);
   if (!inventory) return ExitCode::unusable_input;
+  if (settings.frames && !inventory->frames) {
+    session.console.error("--frames: " + options.resurvey + " is a list of stems, and a list is surveyed once more as a list; leave --frames out");
+    return ExitCode::usage;
+  }
   const SimulatedForest forest = simulate_resurvey(*inventory, settings);
   if (const ExitCode code = check_folder(options.folder, {"resurvey"}, session.console); code != ExitCode::done) return code;
   FolderWriter writer(options.folder, session.console);
@@ -100,7 +104,7 @@ ExitCode run_simulate(const SimulateOptions& options, Session& session) {
   }
   if (const ExitCode code = session.apply_settings(settings.fields()); code != ExitCode::done) return code;
   const Issues wrong = settings.check();
-  session.console.issues(wrong);
+  session.console.issues(as_settings(wrong, "simulate."));
   if (has_error(wrong)) return ExitCode::usage;
   if (!options.resurvey.empty()) return resurvey(options, settings, session);
   const SimulatedForest forest = simulate_forest(settings, session.progress());

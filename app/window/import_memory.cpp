@@ -23,10 +23,6 @@ ReadOptions of_the_header(const ReadOptions& options) {
   return kept;
 }
 
-const char* word_of(StemStatus status) { return status == StemStatus::alive ? "alive" : status == StemStatus::dead ? "dead" : "unknown"; }
-
-StemStatus status_of(const std::string& word) { return word == "alive" ? StemStatus::alive : word == "dead" ? StemStatus::dead : StemStatus::unknown; }
-
 }  // namespace
 
 ImportMemory ImportMemory::read(const std::string& path) {
@@ -39,7 +35,7 @@ ImportMemory ImportMemory::read(const std::string& path) {
       ReadOptions options;
       options.columns = json.at("columns").get<std::map<std::string, std::string>>();
       options.units = json.at("units").get<std::map<std::string, std::string>>();
-      for (const auto& [code, word] : json.at("status_codes").items()) options.status_codes[code] = status_of(word.get<std::string>());
+      for (const auto& [code, word] : json.at("status_codes").items()) options.status_codes[code] = stem_status_from(word.get<std::string>()).value_or(StemStatus::unknown);
       if (json.contains("epsg")) options.epsg = json.at("epsg").get<int>();
       memory.entries_.emplace_back(json.at("header").get<std::vector<std::string>>(), std::move(options));
     }
@@ -67,7 +63,7 @@ void ImportMemory::write() const {
   Json all = Json::array();
   for (const auto& [header, options] : entries_) {
     Json json{{"header", header}, {"columns", options.columns}, {"units", options.units}, {"status_codes", Json::object()}};
-    for (const auto& [code, status] : options.status_codes) json["status_codes"][code] = word_of(status);
+    for (const auto& [code, status] : options.status_codes) json["status_codes"][code] = to_string(status);
     if (options.epsg) json["epsg"] = *options.epsg;
     all.push_back(std::move(json));
   }

@@ -22,7 +22,7 @@ InventoryPreview read_ready(const std::string& path, const ReadOptions& options,
 /// A word of the command line in quotes where it needs them.
 std::string quoted(const std::string& text) { return text.find_first_of(" \t'\"();&|<>*?$") == std::string::npos ? text : "\"" + text + "\""; }
 
-/// What `stemwise align` and `convert` are told for the same reading. Status codes and the system of plain x and y have no option there.
+/// What `stemwise align` and `convert` are told for the same reading. The system of plain x and y has no option there.
 std::string command_line_of(const ui::ImportSettings& s) {
   std::string text;
   const auto add = [&](const std::string& option, const std::string& value) { text += (text.empty() ? "" : " ") + option + " " + quoted(value); };
@@ -30,6 +30,7 @@ std::string command_line_of(const ui::ImportSettings& s) {
     if (!header.empty()) add("--map", kind + "=" + header);
   }
   for (const auto& [kind, unit] : s.units) add("--unit", kind + "=" + unit);
+  for (const auto& [code, status] : s.status_codes) add("--status", code + "=" + to_string(status));
   if (!s.sheet.empty()) add("--sheet", s.sheet);
   if (!s.plot.empty()) add("--plot-column", s.plot_column), add("--plot", s.plot);
   if (s.date) add("--date", to_string(*s.date));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -14,7 +15,7 @@ template <class Number>
 bool parse_number(const std::string& text, Number& out) {
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return false;
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(static_cast<double>(number))) return false;
   out = number;
   return true;
 }
@@ -70,7 +71,7 @@ Issues set_field(std::span<const Field> fields, const std::string& key, const st
       return edit_distance(a.key, key) < edit_distance(b.key, key);
     });
     const std::string help = nearest == fields.end() ? "" : "did you mean " + nearest->key + "?";
-    return {{Severity::error, "", 0, key, "there is no setting '" + key + "'", help}};
+    return {{Severity::error, "", 0, key, "there is no such setting", help}};
   }
   if (parse_into(*found, text)) return {};
   return {{Severity::error, "", 0, key, "'" + text + "' is not " + expected(*found), found->help}};

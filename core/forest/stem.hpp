@@ -5,10 +5,9 @@
 #include <string>
 
 #include "core/base/date.hpp"
+#include "core/forest/stem_status.hpp"
 
 namespace stemwise {
-
-enum class StemStatus { alive, dead, unknown };
 
 /// One stem as one survey saw it. Lengths in metres in the frame of its inventory; what was not measured is empty.
 struct Stem {

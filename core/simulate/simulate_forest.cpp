@@ -26,7 +26,7 @@ void number_trees(std::vector<TrueTree>& trees) {
 std::vector<TrueTree> trees_of(const Inventory& inventory) {
   std::vector<TrueTree> trees;
   for (const Stem& stem : inventory.stems) {
-    if (stem.status == StemStatus::dead || !std::isfinite(stem.x_m) || !std::isfinite(stem.y_m)) continue;
+    if (!is_living(stem.status) || !std::isfinite(stem.x_m) || !std::isfinite(stem.y_m)) continue;
     TrueTree tree;
     tree.tree_id = stem.source_id;
     tree.x_m = stem.x_m, tree.y_m = stem.y_m, tree.z_m = stem.z_m.value_or(0.0);

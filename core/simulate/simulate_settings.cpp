@@ -1,6 +1,8 @@
 #include "core/simulate/simulate_settings.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace stemwise {
 
@@ -34,8 +36,15 @@ Issues SimulateSettings::check() const {
   if (!(area_ha >= 0.0 && area_ha < 1e6)) refuse("area_ha", "must not be negative");
   if (area_ha > 0.0 && stems / area_ha > 20000.0) refuse("area_ha", "more than 20,000 stems to the hectare do not fit");
   if (!(drop >= 0.0 && drop < 1.0)) refuse("drop", "must be at least 0 and below 1");
-  if (!(false_stems >= 0.0 && false_stems <= 10.0)) refuse("false_stems", "must be between 0 and 10");
+  if (!(false_stems >= 0.0 && false_stems <= 1.0)) refuse("false_stems", "is a share and must be between 0 and 1");
+  if (yaw_deg && !(std::abs(*yaw_deg) <= 360.0)) refuse("yaw_deg", "must be between -360 and 360");
+  for (const auto& [share, key] : {std::pair(mortality_per_year, "mortality_per_year"), std::pair(removals_per_year, "removals_per_year"), std::pair(ingrowth_per_year, "ingrowth_per_year"),
+                                   std::pair(standing_dead, "standing_dead")})
+    if (!(share >= 0.0 && share <= 1.0)) refuse(key, "is a share and must be between 0 and 1");
   const auto is_length = [](double length) { return length >= 0.0 && length < 1e6; };  // false for what is no number
+  if (!is_length(terrain_relief_m) || !is_length(height_noise_m)) refuse("terrain_relief_m", "relief and noise must not be negative");
+  if (!(axis_noise_deg >= 0.0 && axis_noise_deg <= 90.0)) refuse("axis_noise_deg", "must be between 0 and 90");
+  if (!is_length(growth_cm_per_year) || !is_length(smallest_dbh_cm)) refuse("growth_cm_per_year", "growth and the smallest DBH must not be negative");
   if (!is_length(position_noise_m) || !is_length(dbh_noise_cm) || !is_length(shift_m)) refuse("position_noise_m", "noise and shift must not be negative");
   if (!(tilt_deg >= 0.0 && tilt_deg <= 45.0)) refuse("tilt_deg", "must be between 0 and 45");
   if (!(drift >= 0.0 && drift <= 0.5)) refuse("drift", "must be between 0 and 0.5");

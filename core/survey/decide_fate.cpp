@@ -33,18 +33,24 @@ Fate fate_of_gone(const SurveyStep& step, const TreeAtStep& tree) {
   return Fate::missing;
 }
 
+/// What a field code alone decides.
+std::optional<Fate> fate_of_code(StemStatus code) {
+  if (code == StemStatus::dead) return Fate::dead;
+  return code == StemStatus::removed ? std::optional(Fate::removed) : std::nullopt;
+}
+
 }  // namespace
 
 Fate decide_fate(const SurveyStep& step, const TreeAtStep& tree) {
   if (tree.by_hand) return *tree.by_hand;
   const bool known_before = tree.seen_from || tree.seen_earlier;
   if (tree.seen_to) {
-    if (tree.dead_in_to) return Fate::dead;
+    if (const auto told = fate_of_code(tree.code_in_to)) return *told;
     return known_before ? Fate::survivor : fate_of_new(step, tree);
   }
   if (!known_before) return tree.seen_later ? Fate::outside_coverage : Fate::unresolved;
   if (tree.seen_later) return Fate::survivor;
-  if (tree.dead_before) return Fate::dead;  // it lay or stood dead already; nobody has to look for it
+  if (const auto told = fate_of_code(tree.code_before)) return *told;  // it lay or stood dead already; nobody has to look for it
   return fate_of_gone(step, tree);
 }
 

@@ -29,8 +29,8 @@ struct TreeAtStep {
   bool seen_to = false;
   bool seen_earlier = false;       ///< before `from`
   bool seen_later = false;         ///< after `to`
-  bool dead_in_to = false;         ///< a field code in `to` says so
-  bool dead_before = false;        ///< a field code at its last sighting up to `from` says so
+  StemStatus code_in_to = StemStatus::unknown;   ///< what the field crew wrote in `to`
+  StemStatus code_before = StemStatus::unknown;  ///< at its last sighting up to `from`
   std::optional<double> dbh_in_to_m;
   std::optional<Fate> by_hand;
 };

@@ -107,7 +107,7 @@ class Review {
 
   void status(const TreeRow& tree, const Rows& rows) {
     FusionConflict conflict{tree.tree, "status", {}, to_string(tree.fate), {}, false};
-    for (const ObservationRow* row : rows) conflict.values.emplace_back(row->stem.inventory, stem(*row).status == StemStatus::dead ? "dead" : "alive");
+    for (const ObservationRow* row : rows) conflict.values.emplace_back(row->stem.inventory, is_living(stem(*row).status) ? "alive" : to_string(stem(*row).status));
     conflicts_.push_back(std::move(conflict));
   }
 

@@ -30,7 +30,7 @@ std::vector<StepChanges> changes_per_step(const ProjectState& state, const Table
   for (const MatchRow& match : tables.matches) {
     if (match.state == MatchState::rejected || !match.change_m || place.at(match.a.inventory) + 1 != place.at(match.b.inventory)) continue;
     const Stem &earlier = *state.find(match.a), &later = *state.find(match.b);
-    if (earlier.status == StemStatus::dead || later.status == StemStatus::dead) continue;
+    if (!is_living(earlier.status) || !is_living(later.status)) continue;
     StepChanges& step = steps[place.at(match.a.inventory)];
     add(step.by_species[earlier.species.empty() ? later.species : earlier.species], match);
     add(step.by_class[static_cast<int>(std::floor((*match.dbh_a_m * 100.0 + 1e-6) / width_cm))], match);

@@ -24,7 +24,7 @@ double basal_area_sq_m(double dbh_m) { return std::numbers::pi / 4.0 * dbh_m * d
 
 bool is_living(const ProjectState& state, StemRef ref) {
   const Stem* stem = state.find(ref);
-  return stem == nullptr || stem->status != StemStatus::dead;
+  return stem == nullptr || is_living(stem->status);
 }
 
 std::optional<ReportArea> area_of(const Tables& tables, InventoryId id, const ReportOptions& options) {
@@ -163,7 +163,7 @@ void list_new_and_missing(const ProjectState& state, const Tables& tables, Repor
     if (found == index.end()) continue;
     const Stem* stem = state.find(row.stem);
     ReportStem entry{row.tree, row.stem, row.position_m, row.dbh_m, stem == nullptr ? "" : stem->species, row.fate, found->second};
-    const bool lived = stem != nullptr && stem->status != StemStatus::dead;
+    const bool lived = stem != nullptr && is_living(stem->status);
     if (lived && is_gone(row.fate) && found->second + 1 < model.placed && !seen.contains({row.tree, found->second + 1})) model.missing_stems.push_back(entry);
     if (!row.arrival || !is_new(*row.arrival)) continue;
     entry.fate = *row.arrival;

@@ -89,7 +89,7 @@ Frame frame_at(std::span<const Stem> stems, const PlanarIndex& index, std::span<
   std::sort(near.begin(), near.end());
   for (const auto& [i, distance_m] : near) {
     const double nearness = 1.0 - distance_m / settings.range_m;
-    if (stems[i].status == StemStatus::dead || random.uniform() >= settings.detection * (1.0 + nearness) / 2.0) continue;
+    if (!is_living(stems[i].status) || random.uniform() >= settings.detection * (1.0 + nearness) / 2.0) continue;
     Stem seen = see(stems[i], nearness, bias_m, settings, random);
     into_frame(frame_from_survey, seen);
     seen.source_row = static_cast<std::int64_t>(frame.stems.size()) + 2;

@@ -24,7 +24,7 @@ double basal_area_sq_m(double dbh_m) { return std::numbers::pi / 4.0 * dbh_m * d
 struct Standing {
   const ObservationRow* row = nullptr;
   const Stem* stem = nullptr;
-  bool alive() const { return stem != nullptr && stem->status != StemStatus::dead; }
+  bool alive() const { return stem != nullptr && is_living(stem->status); }
 };
 
 /// One tree at both ends of a step.

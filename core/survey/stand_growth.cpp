@@ -46,7 +46,7 @@ std::vector<Changes> changes_per_step(const ProjectState& state, const Tables& t
   std::unordered_map<InventoryId, std::size_t> place;
   for (std::size_t i = 0; i < tables.inventories.size(); ++i) place[tables.inventories[i]] = i;
   std::vector<Changes> steps(tables.inventories.empty() ? 0 : tables.inventories.size() - 1);
-  const auto alive = [&](StemRef ref) { return state.find(ref)->status != StemStatus::dead; };
+  const auto alive = [&](StemRef ref) { return is_living(state.find(ref)->status); };
   for (const MatchRow& match : tables.matches) {
     if (match.state == MatchState::rejected || !match.change_m || place.at(match.a.inventory) + 1 != place.at(match.b.inventory)) continue;
     if (!alive(match.a) || !alive(match.b)) continue;

@@ -37,7 +37,7 @@ struct TreeSightings {
 };
 
 /// Of a dead stem no growth is told: bark falls, wood dries.
-bool is_living(const Sighting& sighting) { return sighting.stem->status != StemStatus::dead; }
+bool is_living(const Sighting& sighting) { return is_living(sighting.stem->status); }
 
 /// More than any tree grows (TreeData's limit for pioneers is 7.5 cm a year): another stem, or a diameter mismeasured.
 bool is_implausible(const MatchRow& row) {
@@ -252,12 +252,12 @@ Fate Derivation::fate_at(const TreeSightings& tree, const TreeRow& row, std::siz
   for (const Sighting& s : tree.by_date) {
     const std::size_t survey = survey_of(s.ref.inventory);
     if (survey < from) at.seen_earlier = true;
-    if (survey <= from) at.dead_before = s.stem->status == StemStatus::dead;
+    if (survey <= from) at.code_before = s.stem->status;
     if (survey == from) at.seen_from = true;
     if (survey > from + 1) at.seen_later = true;
     if (survey != from + 1) continue;
     at.seen_to = true;
-    at.dead_in_to = s.stem->status == StemStatus::dead;
+    at.code_in_to = s.stem->status;
     at.dbh_in_to_m = s.stem->dbh_for_matching_m();
   }
   // A fate said by hand is about the step at which the tree was last there; before that it lived on.

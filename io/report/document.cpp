@@ -110,7 +110,7 @@ ReportTable fate_table(const ReportModel& model) {
 }
 
 ReportTable growth_table(const ReportModel& model) {
-  ReportTable table{"DBH change", "", {{"From", false}, {"To", false}, {"Years"}, {"Matched"}, {"With two DBHs"}, {"Median change cm"}, {"95 % interval cm"},
+  ReportTable table{"DBH change", "", {{"From", false}, {"To", false}, {"Years"}, {"Matched"}, {"Living, two DBHs"}, {"Median change cm"}, {"95 % interval cm"},
                     {"20-80 % band cm"}, {"Median mm/year"}, {"DBH error cm"}, {"Grew"}, {"Shrank"}, {"Within error"}}, {}};
   for (const ReportGrowth& g : model.growth) {
     const bool any = g.row.n > 0;
@@ -120,7 +120,7 @@ ReportTable growth_table(const ReportModel& model) {
                           annual ? fixed(g.row.median_change_m * 1000.0 / *g.row.years, 1) : "", any ? fixed(g.row.dbh_error_m * 100.0, 1) : "",
                           std::to_string(g.grew), std::to_string(g.shrank), std::to_string(g.within_error)});
   }
-  table.note = "The interval is that of the true median: errors of measurement draw the median of a skewed stand towards its mean, which is allowed for. The 20-80 % band holds the middle three fifths of the changes. The DBH error is one "
+  table.note = "Stems that were dead or removed in either survey are matched, and no change is told of them. The interval is that of the true median: errors of measurement draw the median of a skewed stand towards its mean, which is allowed for. The 20-80 % band holds the middle three fifths of the changes. The DBH error is one "
                "measurement's, estimated from the matched stems; a stem grew or shrank only where its change exceeds what that error explains.";
   return table;
 }

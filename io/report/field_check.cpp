@@ -1,7 +1,7 @@
 #include "io/report/field_check.hpp"
 
+#include "io/crs.hpp"
 #include "io/earth_frame.hpp"
-#include "io/replace_file.hpp"
 #include "io/report/drawing.hpp"
 #include "io/report/number_text.hpp"
 #include "io/replace_file.hpp"
@@ -25,6 +25,18 @@ ReportTable print_sheet(const FieldCheck& check) {
   return table;
 }
 
+/// Coordinates on the earth, as columns behind the others.
+void add_places(ReportTable& table, const FieldCheck& check, const EarthFrame& frame) {
+  const int decimals = is_geographic_epsg(*frame.epsg()) ? 9 : 2;
+  const std::string in = " in " + crs_name(*frame.epsg()) + " (EPSG:" + std::to_string(*frame.epsg()) + ")";
+  for (const std::string& column : {"x" + in, "y" + in, std::string("lon \u00b0"), std::string("lat \u00b0")}) table.columns.push_back({column});
+  for (std::size_t i = 0; i < check.rows.size(); ++i) {
+    const auto at = frame.target_from_reference(check.rows[i].position_m);
+    const auto earth = frame.geodetic_from_reference(check.rows[i].position_m);
+    table.rows[i].insert(table.rows[i].end(), {at ? fixed(at->x(), decimals) : "", at ? fixed(at->y(), decimals) : "", earth ? fixed(earth->longitude_deg, 9) : "", earth ? fixed(earth->latitude_deg, 9) : ""});
+  }
+}
+
 ReportTable number_sheet(const FieldCheck& check) {
   ReportTable table{"Trees to look at", "", {{"Tree", false}, {"What is doubtful", false}, {"DBH cm"}, {"x m"}, {"y m"}, {"Species", false}}, {}};
   for (const char* n : {"1", "2", "3"}) {
@@ -43,8 +55,9 @@ ReportTable number_sheet(const FieldCheck& check) {
   return table;
 }
 
-ReportTable sheet(const FieldCheck& check, bool for_print) {
+ReportTable sheet(const FieldCheck& check, const Georeference& georeference, bool for_print) {
   ReportTable table = for_print ? print_sheet(check) : number_sheet(check);
+  if (const auto frame = EarthFrame::of(georeference); !for_print && frame && !frame->is_local()) add_places(table, check, *frame);
   table.note = "A way: stand at the tree named, look along the azimuth (degrees clockwise from " + check.north +
                "), and go the distance, measured horizontally from stem centre to stem centre. The trees to start from are the three nearest that are sure.";
   return table;
@@ -52,14 +65,14 @@ ReportTable sheet(const FieldCheck& check, bool for_print) {
 
 }  // namespace
 
-ReportDocument make_field_check_document(const FieldCheck& check, const std::string& title, const std::string& software, bool for_print) {
+ReportDocument make_field_check_document(const FieldCheck& check, const ProjectState& state, const std::string& software, bool for_print) {
   ReportDocument document;
-  document.title = "Field check" + (title.empty() ? std::string() : ": " + title);
+  document.title = "Field check" + (state.title.empty() ? std::string() : ": " + state.title);
   document.subtitle = std::to_string(check.rows.size()) + " trees, most doubtful first; azimuths from " + check.north;
   document.footer = software;
   ReportSection section{"Field check sheet", {}};
   if (check.rows.empty()) section.blocks.emplace_back(ReportParagraph{"No tree is in doubt: there is nothing to check."});
-  else section.blocks.emplace_back(sheet(check, for_print));
+  else section.blocks.emplace_back(sheet(check, state.georeference, for_print));
   document.sections.push_back(std::move(section));
   return document;
 }

@@ -27,7 +27,9 @@ ReportTable tree_table(const ReportModel& model) {
 
 ReportSection flag_section(const ReportModel& model) {
   ReportSection section{"Plausibility of growth", {}};
-  std::string text = "Rule pack: " + (model.rule_pack.empty() ? std::string("none chosen; nothing is flagged") : model.rule_pack) + ".";
+  std::string text = "Rule pack: " + (model.rule_pack.empty() ? std::string("none chosen, so no pack's rules are judged") : model.rule_pack) + ".";
+  text += " Whatever the pack, the exports flag matches that shrank beyond the error of measurement (shrinkage), grew more than trees do (implausible_growth), live after they were recorded as dead "
+          "(alive_after_dead) or lack a diameter (no_dbh).";
   section.blocks.emplace_back(ReportParagraph{text});
   if (!model.rules.empty()) section.blocks.emplace_back(rule_table(model));
   if (!model.rule_pack.empty()) section.blocks.emplace_back(tree_table(model));

@@ -13,15 +13,21 @@ constexpr double margin = 50.0;
 constexpr double content_width = PdfCanvas::page_width - 2.0 * margin;
 constexpr double content_bottom = PdfCanvas::page_height - 62.0;
 
-constexpr double fact_label = 110.0;
+constexpr double fact_gap = 8.0;
 
 const TextStyle cover_title_style{26.0, palette::text, true};
 const TextStyle subtitle_style{10.0, palette::secondary, false};
 const TextStyle section_style{14.0, palette::text, true};
 const TextStyle table_title_style{10.0, palette::text, true};
 const TextStyle body_style{9.0, palette::text, false};
+const TextStyle label_style{9.0, palette::secondary, false};
 const TextStyle warning_style{9.0, palette::warning, false};
+const TextStyle figure_style{15.0, palette::accent, true};
+const TextStyle figure_label_style{7.5, palette::text, true};
+const TextStyle figure_detail_style{6.5, palette::secondary, false};
 const TextStyle note_style{7.5, palette::secondary, false};
+
+using Fact = std::pair<std::string, std::string>;  ///< label and text
 
 /// Lays the document out on pages. Pass 1 counts the pages (its file is thrown away with the canvas), pass 2 prints "1 of 7".
 class PdfReport {
@@ -46,19 +52,40 @@ class PdfReport {
     y_ += canvas_.text(margin, y_, content_width, document_.subtitle, subtitle_style) + 14.0;
     if (!cover.figures.empty()) print_block(cover.figures);
     y_ += 6.0;
+    measure_fact_labels(cover.facts);
     double facts = 0.0;
-    for (const auto& [label, text] : cover.facts) facts += canvas_.text_height(print_prose(text), body_style, content_width - fact_label) + 3.0;
-    if (cover.map) print_map(*cover.map, content_bottom - facts - 16.0);
+    for (const Fact& fact : cover.facts) facts += fact_height(fact);
+    constexpr double least_map = 240.0;  // rather the facts on the next page than a map that nobody can read
+    const bool together = content_bottom - facts - 16.0 - y_ >= least_map;
+    if (cover.map) print_map(*cover.map, together ? content_bottom - facts - 16.0 : content_bottom);
     if (cover.facts.empty()) return;
+    need(std::min(facts + 16.0, least_map));
     canvas_.rule(margin, y_, content_width, palette::line);
     y_ += 8.0;
-    for (const auto& [label, text] : cover.facts) {
-      canvas_.text(margin, y_, fact_label, label, {9.0, palette::secondary, false});
-      y_ += canvas_.text(margin + fact_label, y_, content_width - fact_label, print_prose(text), body_style) + 3.0;
-    }
+    for (const Fact& fact : cover.facts) print_fact(fact);
     finish_page();
     ++page_;
     y_ = margin;
+  }
+
+  /// Labels stand on one line where three fifths of the width allow it.
+  void measure_fact_labels(const std::vector<Fact>& facts) {
+    constexpr double least = 110.0;
+    for (const Fact& fact : facts) fact_label_ = std::max(fact_label_, canvas_.text_width(fact.first, label_style) + fact_gap + 1.0);
+    fact_label_ = std::clamp(fact_label_, least, 0.6 * content_width);
+  }
+
+  double fact_height(const Fact& fact) {
+    const double label = canvas_.text_height(fact.first, label_style, fact_label_ - fact_gap);
+    return std::max(label, canvas_.text_height(print_prose(fact.second), body_style, content_width - fact_label_)) + 3.0;
+  }
+
+  void print_fact(const Fact& fact) {
+    const double height = fact_height(fact);
+    need(height);
+    canvas_.text(margin, y_, fact_label_ - fact_gap, fact.first, label_style);
+    canvas_.text(margin + fact_label_, y_, content_width - fact_label_, print_prose(fact.second), body_style);
+    y_ += height;
   }
 
   void print_map(const ReportChart& map, double bottom) {
@@ -88,18 +115,26 @@ class PdfReport {
     y_ += canvas_.text(margin, y_, content_width, text, style) + 6.0;
   }
 
+  double figure_height(const ReportFigure& f, double inner) {
+    return canvas_.text_height(print_number(f.value), figure_style, inner) + 1.0 + canvas_.text_height(f.label, figure_label_style, inner) +
+           canvas_.text_height(print_prose(f.detail), figure_detail_style, inner);
+  }
+
+  /// Cards side by side, all as high as the one with most to say.
   void print_block(const ReportFigures& figures) {
-    constexpr double height = 64.0, gap = 8.0;
+    constexpr double least_height = 64.0, gap = 8.0, inset = 7.0;
     const double width = (content_width - gap * static_cast<double>(figures.size() - 1)) / static_cast<double>(figures.size());
+    const double inner = width - 2.0 * inset;
+    double height = least_height;
+    for (const ReportFigure& f : figures) height = std::max(height, figure_height(f, inner) + 2.0 * inset);
     need(height + 8.0);
     double x = margin;
     for (const ReportFigure& f : figures) {
       canvas_.fill(x, y_, width, height, palette::accent_soft, 4.0);
-      const double inner = width - 14.0;
-      double y = y_ + 7.0;
-      y += canvas_.text(x + 7.0, y, inner, print_number(f.value), {15.0, palette::accent, true}) + 1.0;
-      y += canvas_.text(x + 7.0, y, inner, f.label, {7.5, palette::text, true});
-      canvas_.text(x + 7.0, y, inner, print_prose(f.detail), {6.5, palette::secondary, false});
+      double y = y_ + inset;
+      y += canvas_.text(x + inset, y, inner, print_number(f.value), figure_style) + 1.0;
+      y += canvas_.text(x + inset, y, inner, f.label, figure_label_style);
+      canvas_.text(x + inset, y, inner, print_prose(f.detail), figure_detail_style);
       x += width + gap;
     }
     y_ += height + 8.0;
@@ -187,6 +222,7 @@ class PdfReport {
   int pages_ = 0;
   int page_ = 1;
   double y_ = margin;
+  double fact_label_ = 0.0;  ///< width of the cover's labels
 };
 
 }  // namespace

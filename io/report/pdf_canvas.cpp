@@ -26,6 +26,9 @@ struct ObjectDeleter {
 struct FontDeleter {
   void operator()(PangoFontDescription* f) const { pango_font_description_free(f); }
 };
+struct AttributesDeleter {
+  void operator()(PangoAttrList* a) const { pango_attr_list_unref(a); }
+};
 using Layout = std::unique_ptr<PangoLayout, ObjectDeleter>;
 
 void set_color(cairo_t* cr, const std::string& color, double opacity = 1.0) {
@@ -41,6 +44,9 @@ Layout layout_of(cairo_t* cr, const std::string& text, double size_pt, bool bold
   pango_font_description_set_weight(font.get(), bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
   pango_layout_set_font_description(layout.get(), font.get());
   pango_layout_set_text(layout.get(), text.c_str(), static_cast<int>(text.size()));
+  const std::unique_ptr<PangoAttrList, AttributesDeleter> attributes(pango_attr_list_new());
+  pango_attr_list_insert(attributes.get(), pango_attr_insert_hyphens_new(FALSE));  // a broken name or id has no hyphen
+  pango_layout_set_attributes(layout.get(), attributes.get());
   return layout;
 }
 

@@ -8,6 +8,11 @@
 namespace stemwise {
 namespace fs = std::filesystem;
 
+const std::vector<std::string>& report_suffixes() {
+  static const std::vector<std::string> suffixes = {".pdf", ".html", ".htm", ".xlsx", ".csv"};
+  return suffixes;
+}
+
 Result<Done> write_report(const std::string& path, const ReportDocument& document) {
   std::string suffix = fs::path(path).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "io/report/document.hpp"
@@ -16,6 +17,9 @@ std::optional<std::string> report_pdf(const ReportDocument& document);
 
 /// A workbook: a first sheet with the key figures and paragraphs, and one sheet per table, numbers as numbers.
 Result<Done> write_report_xlsx(const std::string& path, const ReportDocument& document);
+
+/// What a report can be written as: ".pdf", ".html", ...
+const std::vector<std::string>& report_suffixes();
 
 /// By suffix: .html, .csv, .xlsx or .pdf. A whole file or none. An issue for another suffix or a path that cannot be written.
 Result<Done> write_report(const std::string& path, const ReportDocument& document);

@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <vector>
 
 #include "tests/app/run_program.hpp"
 
@@ -32,6 +34,22 @@ Ran run(const std::string& command) {
 }
 
 bool is_installed(const std::string& program) { return run("command -v " + program).code == 0; }
+
+struct WordBox {
+  double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;
+  std::string word;
+};
+
+/// The words of a page and where they stand, by pdftotext.
+std::vector<WordBox> words_of_page(const std::string& pdf, int page) {
+  const std::string number = std::to_string(page);
+  const Ran ran = run("pdftotext -bbox -f " + number + " -l " + number + " '" + pdf + "' -");
+  static const std::regex word(R"re(<word xMin="([0-9.]+)" yMin="([0-9.]+)" xMax="([0-9.]+)" yMax="([0-9.]+)">([^<]*)<)re");
+  std::vector<WordBox> boxes;
+  for (std::sregex_iterator it(ran.out.begin(), ran.out.end(), word), end; it != end; ++it)
+    boxes.push_back({std::stod((*it)[1]), std::stod((*it)[2]), std::stod((*it)[3]), std::stod((*it)[4]), (*it)[5]});
+  return boxes;
+}
 
 class Outputs : public ::testing::Test {
  protected:
@@ -148,6 +166,28 @@ TEST_F(Outputs, GpxKeepsTheRulesOfItsSchema) {
   EXPECT_GT(points, 0);
   if (!is_installed("ogrinfo")) GTEST_SKIP() << "ogrinfo is not installed";
   EXPECT_THAT(run("ogrinfo -ro -so '" + (folder_ / "check.gpx") + "' waypoints").out, HasSubstr("Feature Count: " + std::to_string(points)));
+}
+
+TEST(LongNames, NothingOnTheCoverIsPrintedOverAnythingElse) {
+  if (!is_installed("pdftotext")) GTEST_SKIP() << "pdftotext is not installed";
+  const Folder folder;
+  ASSERT_EQ(run_stemwise({"simulate", "-o", folder / "s", "--stems", "120", "--quiet"}).code, 0);
+  std::vector<std::string> arguments{"align"};
+  for (const char* year : {"2015", "2019", "2023"}) {
+    arguments.push_back(folder / ("PRF025_Field_original_of_the_northern_compartment_with_a_name_that_wraps_" + std::string(year) + ".csv"));
+    std::filesystem::rename(folder / ("s/" + std::string(year) + ".csv"), arguments.back());
+  }
+  arguments.insert(arguments.end(), {"-o", folder / "p.gpkg", "--quiet"});
+  ASSERT_EQ(run_stemwise(arguments).code, 0);
+  ASSERT_EQ(run_stemwise({"report", folder / "p.gpkg", "-o", folder / "r.pdf", "--quiet"}).code, 0);
+  const std::vector<WordBox> words = words_of_page(folder / "r.pdf", 1);
+  ASSERT_GT(words.size(), 30U);
+  constexpr double slack_pt = 2.5;  // boxes are a line high, ink is less
+  for (std::size_t i = 0; i < words.size(); ++i)
+    for (std::size_t k = i + 1; k < words.size(); ++k) {
+      const double w = std::min(words[i].x1, words[k].x1) - std::max(words[i].x0, words[k].x0), h = std::min(words[i].y1, words[k].y1) - std::max(words[i].y0, words[k].y0);
+      EXPECT_FALSE(w > slack_pt && h > slack_pt) << words[i].word << " over " << words[k].word;
+    }
 }
 
 }  // namespace

@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -253,6 +256,59 @@ TEST_F(ExportLayerTest, WhatCannotBeWrittenIsAFailureAndLeavesNothing) {
   fs::create_directories(path("taken.csv"));
   EXPECT_FALSE(export_layer(state_, path("taken.csv")));
   EXPECT_EQ(files_left(), 1U);
+}
+
+TEST_F(ExportLayerTest, LayersWithoutAPlaceAreRefusedByFlatGeobufAndNotLost) {
+  for (const LayerKind kind : {LayerKind::matches, LayerKind::inventories, LayerKind::forestgeo}) {
+    ExportOptions options;
+    options.layer = kind;
+    const auto done = export_layer(state_, path("e.fgb"), options);
+    ASSERT_FALSE(done);
+    EXPECT_THAT(to_string(done.issues.front()), HasSubstr("has no geometry"));
+  }
+  EXPECT_EQ(files_left(), 0U);
+}
+
+TEST_F(ExportLayerTest, RowsWithoutAPlaceAreNamedWhereTheFormatCannotHoldThem) {
+  ExportOptions options;
+  options.layer = LayerKind::observations;
+  for (const char* name : {"o.fgb", "o.shp", "o.gpx"}) {
+    const auto done = export_layer(state_, path(name), options);
+    ASSERT_TRUE(done) << to_string(done.issues.front());
+    ASSERT_EQ(done.issues.size(), 1U) << name;
+    EXPECT_THAT(to_string(done.issues[0]), HasSubstr("no place on the map"));
+  }
+}
+
+TEST_F(ExportLayerTest, GpxWaypointsHaveTheTreesNameAndItsHeightWhereOneIsKnown) {
+  ASSERT_TRUE(export_layer(state_, path("t.gpx")));
+  const std::string gpx = bytes("t.gpx");
+  const Tables tables = derive_tables(state_);
+  const auto count = [&](const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = gpx.find(what); at != std::string::npos; at = gpx.find(what, at + 1)) ++n;
+    return n;
+  };
+  const auto with_height = static_cast<std::size_t>(std::count_if(tables.trees.begin(), tables.trees.end(), [](const TreeRow& t) { return t.has_z; }));
+  EXPECT_EQ(count("<wpt"), tables.trees.size());
+  EXPECT_EQ(count("<name>T-"), tables.trees.size());
+  EXPECT_EQ(count("<ele>"), with_height);
+  EXPECT_EQ(count("<ele>0.0</ele>"), 0U);
+  ASSERT_GT(with_height, 0U);
+}
+
+TEST_F(ExportLayerTest, AFullDiskLeavesNothingOfAShapefile) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 600;  // room for the .cpg, not for the .dbf
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto done = export_layer(state_, path("x.shp"));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(done);
+  EXPECT_EQ(files_left(), 0U);
 }
 
 TEST_F(ExportLayerTest, ShortColumnNamesStayUnique) {

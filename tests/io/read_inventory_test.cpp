@@ -222,6 +222,92 @@ TEST_F(ReadInventoryTest, DeadStemsAreKeptWithTheirStatusAndCounted) {
   EXPECT_THAT(notes(*inventory), HasSubstr("dead by their status: 3"));
 }
 
+TEST_F(ReadInventoryTest, WhatTheCrewDidNotFindIsNoSightingAndWhatTheyFelledIsRemoved) {
+  const auto inventory = read("id,x,y,dbh_cm,status\n1,1,2,30,alive\n2,3,4,20,missing\n3,5,6,22,cut\n4,7,8,,stump\n5,9,1,25,dead\n");
+  ASSERT_TRUE(inventory) << all(inventory.issues);
+  ASSERT_EQ(inventory->stems.size(), 4U);
+  EXPECT_EQ(inventory->stems[1].status, StemStatus::removed);
+  EXPECT_EQ(inventory->stems[2].status, StemStatus::removed);
+  EXPECT_EQ(inventory->stems[3].status, StemStatus::dead);
+  EXPECT_THAT(notes(*inventory), HasSubstr("not found by their status, so not seen and left out: 1"));
+  EXPECT_THAT(notes(*inventory), HasSubstr("removed by their status: 2"));
+  EXPECT_TRUE(inventory.issues.empty()) << all(inventory.issues);
+}
+
+TEST_F(ReadInventoryTest, UnknownStatusWordsAreNamedWithTheirRowsUntilSomeoneTellsThem) {
+  const std::string text = "id,x,y,dbh_cm,status\n1,1,2,30,A\n2,3,4,20,kaputt\n3,5,6,22,kaputt\n4,7,8,20,?\n5,7,9,20,QX\n";
+  const auto inventory = read(text);
+  ASSERT_TRUE(inventory);
+  ASSERT_EQ(inventory.issues.size(), 1U) << all(inventory.issues);
+  EXPECT_THAT(all(inventory.issues), HasSubstr("\"kaputt\" (2 rows), \"QX\" (1 row)"));
+  EXPECT_THAT(all(inventory.issues), HasSubstr("--status"));
+  ReadOptions options;
+  options.status_codes = {{"kaputt", StemStatus::dead}, {"QX", StemStatus::missing}};
+  const auto told = read(text, options);
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(told.issues.empty()) << all(told.issues);
+  EXPECT_EQ(told->stems.size(), 4U);
+  EXPECT_EQ(told->stems[1].status, StemStatus::dead);
+}
+
+TEST_F(ReadInventoryTest, RowsThatStandTwiceAreReadOnceAndTold) {
+  const std::string rows = "1,1.5,2.5,30.1\n2,3.5,4.5,20.2\n3,5.5,6.5,22.3\n";
+  const auto twice = read("id,x,y,dbh_cm\n" + rows + rows);
+  ASSERT_TRUE(twice);
+  EXPECT_EQ(twice->stems.size(), 3U);
+  EXPECT_THAT(all(twice.issues), HasSubstr("row 5: says the very same as row 2 (and 2 more rows repeat an earlier one); they are left out"));
+  const auto unnamed = read("x,y,dbh_cm\n1.5,2.5,30.1\n1.5,2.5,30.1\n3.5,4.5,20.2\n");
+  ASSERT_TRUE(unnamed);
+  EXPECT_EQ(unnamed->stems.size(), 3U);
+  EXPECT_THAT(all(unnamed.issues), HasSubstr("kept, for the rows have no ids"));
+}
+
+TEST_F(ReadInventoryTest, SeveralStemsOfOneTreeAreNoRepetition) {
+  const auto stems = read("tree,stem,x,y,dbh_cm\n1,1,1.5,2.5,30.1\n1,2,1.5,2.5,30.1\n2,1,3.5,4.5,20.2\n");
+  ASSERT_TRUE(stems);
+  EXPECT_EQ(stems->stems.size(), 3U);
+  EXPECT_TRUE(stems.issues.empty()) << all(stems.issues);
+}
+
+TEST_F(ReadInventoryTest, TheWholeColumnTellsTheOrderOfDayAndMonth) {
+  const auto day_first = read("x,y,date_mesure\n1,2,1/05/2021\n3,4,2/05/2021\n5,6,28/05/2021\n");
+  EXPECT_EQ(day_first->stems[1].date, date_from_civil(2021, 5, 2));
+  EXPECT_THAT(notes(*day_first), HasSubstr("day before month (told by 28/05/2021)"));
+  const auto month_first = read("x,y,Fecha\n1,2,5/1/2021\n3,4,5/2/2021\n5,6,5/28/2021\n");
+  EXPECT_EQ(month_first->stems[1].date, date_from_civil(2021, 5, 2));
+  EXPECT_EQ(read("x,y,Data\n1,2,44329\n3,4,44330\n5,6,44331\n")->date, date_from_civil(2021, 5, 14));
+  EXPECT_EQ(read("x,y,Datum\n1,2,13. Mai 2021\n3,4,13. Mai 2021\n")->date, date_from_civil(2021, 5, 13));
+}
+
+TEST_F(ReadInventoryTest, DatesThatCannotBeReadAreToldWithAnExampleAndTheOption) {
+  for (const auto& [cell, why] : {std::pair("5/6/2021", "day or with the month"), std::pair("soon", "no date that can be read")}) {
+    const auto r = read(std::string("x,y,date\n1,2,") + cell + "\n3,4," + cell + "\n");
+    ASSERT_TRUE(r);
+    EXPECT_FALSE(r->date);
+    EXPECT_THAT(all(r.issues), HasSubstr(std::string("column date: \"") + cell));
+    EXPECT_THAT(all(r.issues), HasSubstr(why));
+    EXPECT_THAT(all(r.issues), HasSubstr("--date"));
+  }
+  ReadOptions options;
+  options.date = date_from_civil(2021, 6, 5);
+  EXPECT_EQ(read("x,y,date\n1,2,soon\n3,4,soon\n", options).issues.size(), 1U);  // no diameter; the date was told
+}
+
+TEST_F(ReadInventoryTest, IdsAndGirthsAreFoundInSpanishPortugueseAndFrench) {
+  const auto r = read("Árbol,x,y,perimeter (cm)\nA1,1,2,100\nA2,3,4,110\n");
+  ASSERT_TRUE(r) << all(r.issues);
+  EXPECT_EQ(r->stems[0].source_id, "A1");
+  EXPECT_NEAR(*r->stems[0].dbh_m, 1.0 / 3.14159265358979, 1e-9);
+  EXPECT_EQ(read("Arvore,x,y\nB1,1,2\nB2,3,4\n")->stems[1].source_id, "B2");
+}
+
+TEST_F(ReadInventoryTest, MixedUnitsAndRepeatedHeadersAreTold) {
+  std::string text = "id,x,y,dbh\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(i) + "," + std::to_string(2 * i) + ".5," + std::to_string(i * i % 17) + ".5," + (i % 2 == 0 ? std::to_string(200 + 9 * i) : std::to_string(20 + i) + ".4") + "\n";
+  EXPECT_THAT(all(read(text).issues), HasSubstr("two units seem to be mixed"));
+  EXPECT_THAT(all(read("id,x,x,y,dbh_cm\n1,1,9,2,30\n2,3,9,4,31\n").issues), HasSubstr("the header has this name 2 times; column 2 was read"));
+}
+
 TEST_F(ReadInventoryTest, TheDateIsTheMedianOfTheRowsElseFromTheName) {
   EXPECT_EQ(read("x,y,date\n1,2,2013-03-29\n3,4,2013-04-01\n5,6,2013-04-20\n")->date, date_from_civil(2013, 4, 1));
   EXPECT_EQ(read("x,y\n1,2\n3,4\n", {}, "north_2023-05-04.csv")->date, date_from_civil(2023, 5, 4));
@@ -253,89 +339,6 @@ TEST_F(ReadInventoryTest, AnInventoryOfAProjectIsRead) {
   const auto which = read_inventory(path("p.gpkg"));
   ASSERT_FALSE(which);
   EXPECT_THAT(all(which.issues), HasSubstr("2019, 2023, no date"));
-}
-
-// --- real files, where they are there ---
-
-class RealFilesTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const char* folder = std::getenv("STEMWISE_SHARED_DATA");
-    data_ = folder != nullptr ? fs::path(folder) : fs::path(STEMWISE_SOURCE_DIR) / ".." / "shared" / "data";
-    if (!fs::exists(data_ / "messy")) data_ = fs::path(STEMWISE_SOURCE_DIR) / ".." / ".." / "shared" / "data";
-    if (!fs::exists(data_ / "messy")) GTEST_SKIP() << "real data are not here: " << data_;
-  }
-  Result<Inventory> read(const std::string& name, const ReadOptions& options = {}) const { return read_inventory((data_ / name).string(), options); }
-  fs::path data_;
-};
-
-double extent_m(const Inventory& inventory) {
-  double low = 1e300, high = -1e300;
-  for (const Stem& s : inventory.stems) low = std::min(low, s.x_m), high = std::max(high, s.x_m);
-  return high - low;
-}
-
-TEST_F(RealFilesTest, MessyFilesAreReadAsAPersonWouldReadThem) {
-  struct Expected {
-    const char* file;
-    std::size_t stems;
-    double first_dbh_m;
-    double extent_m, tolerance_m;
-  };
-  // Dead stems count: they are kept with their status.
-  const std::vector<Expected> files = {{"fia_azimuth_dist_feet_inches.csv", 91, 6.8 * 0.0254, 14.0, 1.0},
-                                       {"fortls_tree.list.multi.tls.csv", 13, 0.4599, 20.0, 15.0},
-                                       {"ilomantsi_finnish_headers_dm.csv", 357, 0.304, 50.0, 20.0},
-                                       {"paleon_GooseEggAllPlots_preamble_polar.csv", 296, 0.43, 60.0, 15.0},
-                                       {"paleon_HMC_CR_line_endings_polar.csv", 165, 0.266, 40.0, 10.0},
-                                       {"paleon_HMC_census_wide_years_polar.csv", 212, 0.598, 40.0, 10.0},
-                                       {"paleon_sylvania_BOM_polar.csv", 73, 0.155, 45.0, 15.0},
-                                       {"paracou_circumference_utm_latlon.csv", 300, 1.67 / 3.14159265358979, 130.0, 130.0},
-                                       {"scbi2023_stem_table_BOM_cm_and_mm_mixed_head1000.csv", 296, 0.0, 20.0, 15.0},
-                                       {"treecompr_inventory.csv", 48, 0.3527, 30.0, 15.0},
-                                       {"treecompr_smallinv2.csv", 10, 0.3527, 20.0, 15.0},
-                                       {"ecosense_trees_latlon.gpkg", 1518, 0.19, 200.0, 200.0},
-                                       {"geosense_mooswald_german_multisheet.xlsx", 34, 0.34, 25.0, 15.0},
-                                       {"simanfor_IFN_es_lonlat.xlsx", 72, 0.438, 500000.0, 500000.0}};
-  for (const Expected& e : files) {
-    const auto r = read(std::string("messy/") + e.file);
-    ASSERT_TRUE(r) << e.file << "\n" << all(r.issues);
-    EXPECT_EQ(r->stems.size(), e.stems) << e.file;
-    EXPECT_NEAR(r->stems.front().dbh_m.value_or(0.0), e.first_dbh_m, 1e-4) << e.file;
-    EXPECT_NEAR(extent_m(*r), e.extent_m, e.tolerance_m) << e.file;
-  }
-}
-
-TEST_F(RealFilesTest, Prf025FieldAndLidarAreRecognisedWithTheirUnits) {
-  const auto field = read("prf025/PRF025_Field_original.csv");
-  const auto lidar = read("prf025/PRF025_Lidar_original.csv");
-  ASSERT_TRUE(field && lidar);
-  EXPECT_NEAR(*field->stems[0].dbh_m, 0.149, 1e-9);
-  EXPECT_NEAR(*lidar->stems[0].dbh_m, 0.0401739196739485, 1e-12);
-  EXPECT_NEAR(field->stems[0].x_m, 312030.0202, 1e-3);
-  EXPECT_GT(extent_m(*field), 15.0);
-}
-
-TEST_F(RealFilesTest, ForestGeoCensusesHaveMillimetresAndExactDates) {
-  const auto r = read("scbi/scbi_2008.csv");
-  ASSERT_TRUE(r);
-  EXPECT_EQ(r->stems.size(), 40181U);
-  EXPECT_NEAR(*r->stems[0].dbh_m, 0.0279, 1e-9);
-  EXPECT_EQ(year_of(*r->date), 2008);
-  EXPECT_TRUE(r->stems[0].date);
-  EXPECT_TRUE(r.issues.empty()) << all(r.issues).substr(0, 500);
-}
-
-TEST_F(RealFilesTest, EveryMountRainierCensusReadsWithoutAWord) {
-  std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(data_ / "mtrainier")) {
-    if (entry.path().filename() == "stand_centers.csv") continue;
-    const auto r = read_inventory(entry.path().string());
-    ASSERT_TRUE(r) << entry.path();
-    EXPECT_TRUE(r.issues.empty()) << all(r.issues);
-    ++files;
-  }
-  EXPECT_GE(files, 60U);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ ProjectState sample_project() {
   odd.x_m = 412801.43251234567;
   odd.y_m = 5280085.535000001;
   second->stems[5].status = StemStatus::unknown;
+  second->stems[6].status = StemStatus::removed;
   state.inventories = {first, second, third};
   state.reference = first->id;
   InventoryAlignment aligned;

@@ -42,7 +42,7 @@ const std::vector<StemField>& stem_fields() {
       {"DBH, cm", 0.9f, true, [](const Stem& s) { return number(s.dbh_m, 100.0, 1); }},
       {"Height, m", 0.9f, true, [](const Stem& s) { return number(s.height_m, 1.0, 1); }},
       {"Species", 1.1f, false, [](const Stem& s) { return s.species; }},
-      {"Status", 0.8f, false, [](const Stem& s) { return std::string(s.status == StemStatus::alive ? "alive" : s.status == StemStatus::dead ? "dead" : "unknown"); }},
+      {"Status", 0.8f, false, [](const Stem& s) { return std::string(to_string(s.status)); }},
       {"Date", 1.1f, false, [](const Stem& s) { return s.date ? to_string(*s.date) : std::string(dash); }}};
   return fields;
 }

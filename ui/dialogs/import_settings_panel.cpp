@@ -218,7 +218,8 @@ void ImportSettingsPanel::draw_codes(Widgets& w, const ImportFile& file) {
     w.text_in({row.x + w.px(150), row.y, w.px(84), row.height}, plural(code.rows, "row", "rows"), TextRole::table, Tone::secondary, Align::right);
     ImGui::SetCursorScreenPos({row.x + w.px(246), row.y});
     int at = static_cast<int>(code.meaning);
-    if (w.combo("import/code/" + code.code, {"alive", "dead", "unknown"}, at, width - w.px(246) - w.px(22))) wanted_.status_codes[code.code] = static_cast<StemStatus>(at);
+    if (w.combo("import/code/" + code.code, {"alive", "dead", "unknown", "removed", "not found"}, at, width - w.px(246) - w.px(22))) wanted_.status_codes[code.code] = static_cast<StemStatus>(at);
+    if (code.meaning == StemStatus::unknown) w.text_in({row.x + width - w.px(20), row.y, w.px(20), row.height}, icon::warning, TextRole::table, Tone::warning, Align::center);
   }
 }
 

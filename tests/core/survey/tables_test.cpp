@@ -136,6 +136,20 @@ TEST(DeriveTables, ADeadStemsDiameterIsNoGrowthAnywhere) {
   EXPECT_TRUE(chart.note.starts_with("19 stems")) << chart.note;
 }
 
+TEST(DeriveTables, AFieldCodeOfAFelledStemMakesItsTreeRemoved) {
+  Project project = aligned_project();
+  Inventory last = *project.state().inventories[2];
+  last.stems[3].status = StemStatus::removed;
+  ProjectState state = project.state();
+  state.inventories[2] = std::make_shared<const Inventory>(last);
+  const Tables tables = derive_tables(state);
+  const TreeId felled = state.tree_of(stem_of(project, 2, 3));
+  const auto tree = std::find_if(tables.trees.begin(), tables.trees.end(), [&](const TreeRow& t) { return t.tree == felled; });
+  ASSERT_NE(tree, tables.trees.end());
+  EXPECT_EQ(tree->fate, Fate::removed);
+  EXPECT_EQ(tables.growth[1].n, 19);  // a stump's diameter is no growth
+}
+
 TEST(DeriveTables, CallsAnApproximateDbhNoDbh) {
   Project project;
   Inventory inventory = test::grid_inventory("a", date_from_civil(2013, 7, 1), 3, 0.0);
