@@ -14,7 +14,7 @@ struct Vertex {
 };
 
 constexpr double points_per_sq_px = 0.8;
-constexpr float height_of_white_m = 28.0F;
+constexpr float height_of_brightest_m = 28.0F;
 
 constexpr const char* vertex_source = R"(#version 150
 in vec3 place;
@@ -55,13 +55,19 @@ Rgba grey(float value) {
   return {byte, byte, byte, 255};
 }
 
-Rgba colour_of(const CloudPoint& p, CloudShade shade) {
+/// Greys that stand out from the theme's paper.
+struct GreyRange {
+  float darkest, brightest;
+};
+GreyRange range_of(Theme theme) { return theme == Theme::dark ? GreyRange{92.0F, 240.0F} : GreyRange{44.0F, 176.0F}; }
+
+Rgba colour_of(const CloudPoint& p, CloudShade shade, const GreyRange& range) {
   switch (shade) {
     case CloudShade::colour: return {p.red, p.green, p.blue, 255};
-    case CloudShade::intensity: return grey(30.0F + 0.80F * p.intensity);
+    case CloudShade::intensity: return grey(range.darkest + (range.brightest - range.darkest) / 255.0F * p.intensity);
     case CloudShade::height: break;
   }
-  return grey(56.0F + 173.0F / height_of_white_m * p.above_ground_m);
+  return grey(std::clamp(range.darkest + (range.brightest - range.darkest) / height_of_brightest_m * p.above_ground_m, range.darkest, range.brightest));
 }
 
 }  // namespace
@@ -84,6 +90,7 @@ void CloudLayer::fill(const CloudUnderlay& cloud, const ShownUnderlay& shown, co
   // A million points in a few milliseconds: straight into the buffer.
   auto* const vertices = static_cast<Vertex*>(glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
   std::size_t next = 0;
+  const GreyRange range = range_of(place.theme);
   tiles_.clear();
   spacing_m_ = cloud.spacing_m;
   const Eigen::Vector3f shift = (cloud.origin_in_reference_m - place.origin_m + Eigen::Vector3d(0.0, 0.0, place.shift_m)).cast<float>();
@@ -97,7 +104,7 @@ void CloudLayer::fill(const CloudUnderlay& cloud, const ShownUnderlay& shown, co
       const Eigen::Vector3f at(p.x_m + shift.x(), p.y_m + shift.y(), place.is_flat ? p.above_ground_m : p.z_m + shift.z());
       tile.low_m = tile.low_m.cwiseMin(at);
       tile.high_m = tile.high_m.cwiseMax(at);
-      vertices[next++] = {at.x(), at.y(), at.z(), colour_of(p, shown.shade)};
+      vertices[next++] = {at.x(), at.y(), at.z(), colour_of(p, shown.shade, range)};
     }
     tile.count = next - static_cast<std::size_t>(tile.first);
     if (tile.count > 0) tiles_.push_back(tile);
