@@ -43,7 +43,8 @@ Eigen::AlignedBox2d area_of(const Tables& tables) {
 UnderlayRequest request_of(const WindowModel& m, const ui::Underlay& underlay) {
   const ProjectState& state = m.document.state();
   UnderlayRequest request{underlay.path, state.georeference, {}, area_of(m.document.derived().tables)};
-  if (underlay.frame != state.reference && state.find(underlay.frame) && state.is_placed(underlay.frame)) request.reference_from_local = state.reference_from_inventory(underlay.frame);
+  const bool is_turned = underlay.frame != state.reference && state.find(underlay.frame) && state.is_placed(underlay.frame);
+  if (is_turned) request.reference_from_local = state.reference_from_inventory(underlay.frame);
   return request;
 }
 
