@@ -11,6 +11,7 @@
 #include "core/base/random.hpp"
 #include "core/underlay/arrange_cloud.hpp"
 #include "core/underlay/raster_underlay.hpp"
+#include "io/underlay/read_cloud_underlay.hpp"
 #include "tests/app/window/window_fixture.hpp"
 #include "tests/render/demo_forest.hpp"
 
@@ -146,7 +147,7 @@ TEST_F(WindowBenchmark, FrameRatesPickingSortingAndIdlenessOfTheWholeWindow) {
   }
 }
 
-/// A picture of 2048 x 2048 pixels and a cloud of a million points over these trees.
+/// A picture of 2048 x 2048 pixels and a cloud of as many points as are kept over these trees.
 std::pair<std::shared_ptr<const RasterUnderlay>, std::shared_ptr<const CloudUnderlay>> large_underlays(const Tables& tables) {
   Eigen::AlignedBox2d box;
   for (const ObservationRow& row : tables.observations) box.extend(row.position_m.head<2>());
@@ -155,7 +156,7 @@ std::pair<std::shared_ptr<const RasterUnderlay>, std::shared_ptr<const CloudUnde
   raster->rgba.resize(4UL * 2048 * 2048, 255);
   for (std::size_t i = 0; i < raster->rgba.size(); i += 4) raster->rgba[i] = static_cast<std::uint8_t>(random.below(256));
   raster->nodes_in_reference_m = {{box.min().x(), box.max().y()}, box.max(), box.min(), {box.max().x(), box.min().y()}};
-  std::vector<RawPoint> points(1'000'000);
+  std::vector<RawPoint> points(most_cloud_points);
   for (RawPoint& p : points) p.position = {random.uniform(box.min().x(), box.max().x()), random.uniform(box.min().y(), box.max().y()), random.uniform() < 0.5 ? 250.0 : random.uniform(250.0, 275.0)};
   return {raster, std::make_shared<const CloudUnderlay>(arrange_cloud(std::move(points), 0.05))};
 }
