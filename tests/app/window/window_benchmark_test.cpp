@@ -143,6 +143,7 @@ TEST_F(WindowBenchmark, FrameRatesPickingSortingAndIdlenessOfTheWholeWindow) {
     const double opened_ms = longest_frame_ms([&] { model().document.replace(forest.state(), "", true); });
     std::printf("        drawing thread, longest frame: drawing again %.0f ms, selecting %.0f ms, deciding %.0f ms, undoing %.0f ms, another colouring %.0f ms, opening %.0f ms\n", drawn_ms, selected_ms, decided_ms, undone_ms,
                 coloured_ms, opened_ms);
+    if (stems == 5'000) std::printf("        while an alignment of them runs and arrives: %.0f ms\n", longest_frame_ms([&] { run_alignment(model()); }));
     std::fflush(stdout);
   }
 }
