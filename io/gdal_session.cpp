@@ -7,6 +7,8 @@
 namespace stemwise {
 namespace {
 
+constexpr GIntBig most_cached_bytes = 256 << 20;  // of pixels; GDAL would take a twentieth of the machine's memory
+
 void CPL_STDCALL gather(CPLErr level, CPLErrorNum, const char* text) {
   if (level < CE_Failure) return;  // GDAL's warnings are about formats, not about the person's data
   if (auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData())) messages->add(text);
@@ -16,7 +18,10 @@ void CPL_STDCALL gather(CPLErr level, CPLErrorNum, const char* text) {
 
 void register_gdal() {
   static std::once_flag once;
-  std::call_once(once, [] { GDALAllRegister(); });
+  std::call_once(once, [] {
+    GDALAllRegister();
+    GDALSetCacheMax64(most_cached_bytes);
+  });
 }
 
 GdalMessages::GdalMessages() {

@@ -138,7 +138,10 @@ void Desk::start_deriving() {
       "Tables", JobLane::tables,
       [state = m.document.state(), revision = m.document.revision()](const Progress&) { return std::make_shared<const ui::Derived>(ui::derive(state, revision)); },
       [&m](Shared derived) {
+        Shared old = m.document.shared_derived();
         m.document.take(std::move(derived));
+        // Letting go of a hundred thousand rows takes as long as a frame: somewhere else.
+        m.jobs.start<int>("Tables of before", JobLane::tables, [old = std::move(old)](const Progress&) { return 0; }, [](int) { return JobVerdict{}; });
         return JobVerdict{};
       });
 }

@@ -214,6 +214,9 @@ void HeadlessWindow::resize(int width, int height) {
   frames(4);
 }
 
+void HeadlessWindow::draw_anew() { parts_->picture->forget(); }
+double HeadlessWindow::drawn_share() const { return parts_->picture->drawn_share(); }
+
 std::string registry_json(const ui::WidgetRegistry& registry) {
   nlohmann::json json = nlohmann::json::object();
   for (const auto& [path, entry] : registry.entries()) {

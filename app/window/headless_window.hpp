@@ -49,6 +49,8 @@ class HeadlessWindow {
   bool fill(const std::string& path, const std::string& text);
   Result<Done> screenshot(const std::string& path);
   void resize(int width, int height);
+  void draw_anew();                       ///< everything in the next frame, also what did not change
+  double drawn_share() const;             ///< of the window in the last frame, 0..1
 
  private:
   HeadlessWindow() = default;

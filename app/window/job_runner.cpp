@@ -104,6 +104,7 @@ void JobRunner::run(Job& job) {
     end = ui::JobView::State::failed;
     problem = std::string("Something went wrong inside Stemwise: ") + e.what();
   }
+  job.work = nullptr;  // what it held goes here, not on the thread that draws
   const std::lock_guard lock(mutex_);
   job.state = end;
   job.problem = std::move(problem);
@@ -145,7 +146,6 @@ void JobRunner::deliver(Job& job) {
   job.outcome = verdict.sentence;
   if (job.state == ui::JobView::State::done && !verdict.good) job.state = ui::JobView::State::failed;
   // Values are let go here, not when the list of jobs forgets it.
-  job.work = nullptr;
   job.deliver = nullptr;
 }
 

@@ -43,7 +43,8 @@ Eigen::AlignedBox2d area_of(const Tables& tables) {
 UnderlayRequest request_of(const WindowModel& m, const ui::Underlay& underlay) {
   const ProjectState& state = m.document.state();
   UnderlayRequest request{underlay.path, state.georeference, {}, area_of(m.document.derived().tables)};
-  if (underlay.frame != state.reference && state.find(underlay.frame) && state.is_placed(underlay.frame)) request.reference_from_local = state.reference_from_inventory(underlay.frame);
+  const bool is_turned = underlay.frame != state.reference && state.find(underlay.frame) && state.is_placed(underlay.frame);
+  if (is_turned) request.reference_from_local = state.reference_from_inventory(underlay.frame);
   return request;
 }
 
@@ -72,23 +73,26 @@ void show(ui::Underlay& u, const UnderlayData& data) {
   if (is_new) u.shade = cloud.has_colour ? ui::CloudShade::colour : ui::CloudShade::height;
 }
 
-JobVerdict refuse(WindowModel& m, int id, const Issues& issues) {
+/// A new one goes again. One that was there before stays in the list: a disk may be missing today, a georeference tomorrow
+/// be back.
+void leave_unread(WindowModel& m, int id, const std::string& why) {
   const auto u = std::find_if(m.view.underlays.begin(), m.view.underlays.end(), [id](const ui::Underlay& one) { return one.id == id; });
-  m.notices.add(Severity::error, file_name(u->path) + " cannot be laid under the stems", issues);
-  if (u->is_remembered) {  // not thrown away: a disk may be missing today, a georeference tomorrow be back
-    u->state = ui::Underlay::State::failed;
-    u->about = issues.empty() ? "It could not be read" : issues.front().text;
-    m.underlays.fail(id);
-  } else {
-    remove_underlay(m, id);
-  }
+  if (!u->is_remembered) return remove_underlay(m, id);
+  u->state = ui::Underlay::State::failed;
+  u->about = why;
+  m.underlays.fail(id);
+}
+
+JobVerdict refuse(WindowModel& m, int id, const std::string& path, const Issues& issues) {
+  m.notices.add(Severity::error, file_name(path) + " cannot be laid under the stems", issues);
+  leave_unread(m, id, issues.empty() ? "It could not be read" : issues.front().text);
   return {false, "not read"};
 }
 
 JobVerdict arrived(WindowModel& m, int id, int reading, ReadUnderlay read) {
   const auto u = std::find_if(m.view.underlays.begin(), m.view.underlays.end(), [id](const ui::Underlay& one) { return one.id == id; });
   if (u == m.view.underlays.end() || !m.underlays.is_awaited(id, reading)) return {true, "no longer wanted"};
-  if (!read.data) return refuse(m, id, read.issues);
+  if (!read.data) return refuse(m, id, u->path, read.issues);
   m.notices.add_issues(file_name(u->path) + " was read with remarks", read.issues);
   m.underlays.take(id, *read.data);
   show(*u, *read.data);
@@ -171,7 +175,7 @@ void tend_underlays(WindowModel& m) {
     const bool is_stale = (has_changed || m.underlays.frame_of(u.id) != u.frame) && u.state != ui::Underlay::State::wanted && m.underlays.is_stale(u.id, request_of(m, u));
     if (u.state == ui::Underlay::State::wanted || is_stale) start_reading(m, u);
   }
-  for (const int id : given_up) remove_underlay(m, id);
+  for (const int id : given_up) leave_unread(m, id, "Reading it was given up; it is read again when the project is opened again");
 }
 
 }  // namespace stemwise

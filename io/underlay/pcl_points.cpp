@@ -139,8 +139,7 @@ Result<CloudUnderlay> read_pcl_points(const UnderlayRequest& request, const Prog
   std::error_code code;
   const std::uint64_t file_bytes = fs::file_size(path, code);
   if (code) return Result<CloudUnderlay>::failure(error_in(path, "the file cannot be opened", "is it there, and may you read it?"));
-  const std::string suffix = fs::path(path).extension().string();
-  const bool is_ply = suffix == ".ply" || suffix == ".PLY";
+  const bool is_ply = path.ends_with("y") || path.ends_with("Y");  // .ply, else .pcd
   const auto placement = FilePlacement::of("", request);
   if (!placement) return Result<CloudUnderlay>::failure(placement.issues);
   try {

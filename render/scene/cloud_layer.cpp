@@ -14,7 +14,7 @@ struct Vertex {
 };
 
 constexpr double points_per_sq_px = 0.8;
-constexpr double height_of_white_m = 28.0;
+constexpr float height_of_brightest_m = 28.0F;
 
 constexpr const char* vertex_source = R"(#version 150
 in vec3 place;
@@ -50,18 +50,24 @@ void main() {
   colour_out = vec4(shaded * opacity, opacity);
 })";
 
-Rgba grey(double share) {
-  const auto value = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-  return {value, value, value, 255};
+Rgba grey(float value) {
+  const auto byte = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F));
+  return {byte, byte, byte, 255};
 }
 
-Rgba colour_of(const CloudPoint& p, CloudShade shade) {
+/// Greys that stand out from the theme's paper.
+struct GreyRange {
+  float darkest, brightest;
+};
+GreyRange range_of(Theme theme) { return theme == Theme::dark ? GreyRange{92.0F, 240.0F} : GreyRange{44.0F, 176.0F}; }
+
+Rgba colour_of(const CloudPoint& p, CloudShade shade, const GreyRange& range) {
   switch (shade) {
     case CloudShade::colour: return {p.red, p.green, p.blue, 255};
-    case CloudShade::intensity: return grey(0.12 + 0.80 * p.intensity / 255.0);
+    case CloudShade::intensity: return grey(range.darkest + (range.brightest - range.darkest) / 255.0F * p.intensity);
     case CloudShade::height: break;
   }
-  return grey(0.22 + 0.68 * p.above_ground_m / height_of_white_m);
+  return grey(std::clamp(range.darkest + (range.brightest - range.darkest) / height_of_brightest_m * p.above_ground_m, range.darkest, range.brightest));
 }
 
 }  // namespace
@@ -77,28 +83,33 @@ CloudLayer::~CloudLayer() {
 }
 
 void CloudLayer::fill(const CloudUnderlay& cloud, const ShownUnderlay& shown, const CloudPlace& place) {
-  std::vector<Vertex> vertices;
-  vertices.reserve(cloud.points.size());
+  glBindVertexArray(array_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+  const auto bytes = static_cast<GLsizeiptr>(std::max<std::size_t>(1, cloud.points.size()) * sizeof(Vertex));
+  glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STATIC_DRAW);
+  // A million points in a few milliseconds: straight into the buffer.
+  auto* const vertices = static_cast<Vertex*>(glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
+  std::size_t next = 0;
+  const GreyRange range = range_of(place.theme);
   tiles_.clear();
   spacing_m_ = cloud.spacing_m;
   const Eigen::Vector3f shift = (cloud.origin_in_reference_m - place.origin_m + Eigen::Vector3d(0.0, 0.0, place.shift_m)).cast<float>();
   const auto low = static_cast<float>(shown.low_m), high = static_cast<float>(shown.high_m);
   for (const CloudTile& of : cloud.tiles) {
-    Tile tile{static_cast<GLint>(vertices.size()), 0, Eigen::Vector3f::Constant(1e30F), Eigen::Vector3f::Constant(-1e30F)};
+    if (!vertices) break;
+    Tile tile{static_cast<GLint>(next), 0, Eigen::Vector3f::Constant(1e30F), Eigen::Vector3f::Constant(-1e30F)};
     for (std::size_t i = of.first; i < of.first + of.count; ++i) {
       const CloudPoint& p = cloud.points[i];
       if (p.above_ground_m < low || p.above_ground_m > high) continue;
       const Eigen::Vector3f at(p.x_m + shift.x(), p.y_m + shift.y(), place.is_flat ? p.above_ground_m : p.z_m + shift.z());
       tile.low_m = tile.low_m.cwiseMin(at);
       tile.high_m = tile.high_m.cwiseMax(at);
-      vertices.push_back({at.x(), at.y(), at.z(), colour_of(p, shown.shade)});
+      vertices[next++] = {at.x(), at.y(), at.z(), colour_of(p, shown.shade, range)};
     }
-    tile.count = vertices.size() - static_cast<std::size_t>(tile.first);
+    tile.count = next - static_cast<std::size_t>(tile.first);
     if (tile.count > 0) tiles_.push_back(tile);
   }
-  glBindVertexArray(array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STATIC_DRAW);
+  if (vertices) glUnmapBuffer(GL_ARRAY_BUFFER);
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
   glEnableVertexAttribArray(1);

@@ -12,6 +12,7 @@ namespace stemwise::render {
 struct CloudPlace {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of the scene
   double shift_m = 0.0;         ///< added to the heights, so that the cloud stands on the stems' ground
+  Theme theme = Theme::light;
   bool is_flat = false;         ///< the stems have no heights: the cloud stands on a plane
 };
 

@@ -40,23 +40,25 @@ UnderlayLayers::Entry UnderlayLayers::make(const ShownUnderlay& shown) {
   return entry;
 }
 
-void UnderlayLayers::place(Entry& entry, const SceneModel& scene, const Ground& ground, bool is_map) {
+void UnderlayLayers::place(Entry& entry, const SceneModel& scene, const Ground& ground, const ViewOptions& options) {
+  const bool is_map = options.kind == ViewKind::map;
   if (entry.raster) entry.raster->place(*entry.shown.raster, scene.origin_m, is_map ? nullptr : &ground);
   if (entry.cloud)
-    entry.cloud->fill(*entry.shown.cloud, entry.shown, {.origin_m = scene.origin_m, .shift_m = height_shift_m(*entry.shown.cloud, scene, ground), .is_flat = !scene.has_terrain});
+    entry.cloud->fill(*entry.shown.cloud, entry.shown, {.origin_m = scene.origin_m, .shift_m = height_shift_m(*entry.shown.cloud, scene, ground), .theme = options.theme, .is_flat = !scene.has_terrain});
   entry.is_placed = true;
   entry.is_map = is_map;
 }
 
-void UnderlayLayers::sync(const std::vector<ShownUnderlay>& shown, const SceneModel& scene, const Ground& ground, bool is_map) {
+void UnderlayLayers::sync(const ViewOptions& options, const SceneModel& scene, const Ground& ground) {
+  const bool is_map = options.kind == ViewKind::map;
   std::vector<Entry> next;
-  for (const ShownUnderlay& wanted : shown) {
+  for (const ShownUnderlay& wanted : options.underlays) {
     const auto same = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.shown.raster == wanted.raster && e.shown.cloud == wanted.cloud && (e.raster || e.cloud); });
     Entry entry = same == entries_.end() ? make(wanted) : std::move(*same);
     if (entry.cloud && !is_same_cloud(entry.shown, wanted)) entry.is_placed = false;
     if (entry.raster && entry.is_map != is_map) entry.is_placed = false;
     entry.shown = wanted;
-    if (!entry.is_placed) place(entry, scene, ground, is_map);
+    if (!entry.is_placed) place(entry, scene, ground, options);
     if (entry.raster) entry.raster->set_opacity(wanted.opacity);
     if (entry.cloud) entry.cloud->set_opacity(wanted.opacity);
     next.push_back(std::move(entry));

@@ -15,7 +15,7 @@ class UnderlayLayers {
  public:
   void forget_scene();  ///< stems or ground are others: everything is placed again
   /// Makes, places and lets go of layers so that they fit what is shown. Cheap when nothing changed.
-  void sync(const std::vector<ShownUnderlay>& shown, const SceneModel& scene, const Ground& ground, bool is_map);
+  void sync(const ViewOptions& options, const SceneModel& scene, const Ground& ground);
   std::vector<Layer*> layers();  ///< pictures first, then clouds
 
  private:
@@ -27,7 +27,7 @@ class UnderlayLayers {
     bool is_map = false;  ///< placed for the map
   };
   static Entry make(const ShownUnderlay& shown);
-  static void place(Entry& entry, const SceneModel& scene, const Ground& ground, bool is_map);
+  static void place(Entry& entry, const SceneModel& scene, const Ground& ground, const ViewOptions& options);
 
   /// The ground guessed from the stems is no wall for a cloud that has its own.
   class GroundForgetter : public Layer {

@@ -132,7 +132,7 @@ void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, con
   if (is_map && impl_->is_map_stale) impl_->fill_map(scene, heat, options);
   if (!is_map && impl_->is_space_stale) impl_->fill_space(scene, ground, options);
   if (impl_->surfaces_stale || impl_->surfaces_of_kind != options.kind) impl_->place_surfaces(scene, ground, heat, options);
-  impl_->underlays.sync(options.underlays, scene, ground, is_map);
+  impl_->underlays.sync(options, scene, ground);
   const double resolution = impl_->resolution(scene, projection, options);
   const PixelSize size{std::max(1, static_cast<int>(std::lround(projection.size.width * resolution))),
                        std::max(1, static_cast<int>(std::lround(projection.size.height * resolution)))};

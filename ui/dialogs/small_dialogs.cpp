@@ -10,23 +10,25 @@
 namespace stemwise::ui {
 namespace {
 
+constexpr std::size_t line_px = 20, head_px = 32;  // the sheet fits into the smallest window
+
 void draw_key_line(Widgets& w, const Action& a) {
-  const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(21));
+  const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(line_px));
   w.text_in({row.x, row.y, row.width - w.px(96), row.height}, a.label, TextRole::table, Tone::text);
   w.text_in(row, to_string(a.chord), TextRole::table, Tone::secondary, Align::right);
   ImGui::Dummy({row.width, row.height});
   w.record(std::string("keys/") + a.name, row, to_string(a.chord));
 }
 
-/// Where the second and the third column begin: after a third of the lines each, heads included.
+/// Where the second and the third column begin: after a third of the height each, heads included.
 std::array<std::size_t, 4> column_starts() {
-  const std::size_t lines = action_count + 2 * menu_count;
+  const std::size_t height = line_px * action_count + head_px * menu_count;
   std::array<std::size_t, 4> starts{0, action_count, action_count, action_count};
-  std::size_t line = 0, column = 1;
+  std::size_t below = 0, column = 1;
   for (std::size_t i = 0; i < action_count; ++i) {
     const bool head = i == 0 || all_actions()[i].menu != all_actions()[i - 1].menu;
-    line += head ? 3 : 1;
-    if (column < 3 && line > column * lines / 3) starts[column++] = i;
+    below += line_px + (head ? head_px : 0);
+    if (column < 3 && below > column * height / 3) starts[column++] = i;
   }
   return starts;
 }
@@ -40,7 +42,7 @@ void draw_keys_sheet(Widgets& w, Frame& frame) {
   if (!modal) return;
   const std::array<std::size_t, 4> starts = column_starts();
   const float width = (w.available_width() - w.px(48)) / 3.0f;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, w.px(1)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t c = 0; c < 3; ++c) {
     if (c > 0) ImGui::SameLine(0, w.px(24));
     ImGui::PushID(static_cast<int>(c));

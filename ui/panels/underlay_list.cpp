@@ -59,7 +59,7 @@ void draw_underlay(Widgets& w, Frame& frame, Underlay& u) {
   const std::string path = "underlay/" + std::to_string(u.id);
   const std::string name = std::filesystem::path(u.path).filename().string();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  w.checkbox(path, w.middle_shortened(name, TextRole::body, w.px(list_width - 60)), u.visible, u.path);
+  w.checkbox(path, w.middle_shortened(name, TextRole::body, w.px(list_width - 60)), u.visible, u.path + (u.is_cloud ? "" : "\nUnder the stems of the map; in 3D on the ground."));
   if (w.button_in({at.x + w.px(list_width - 26), at.y, w.px(26), w.px(24)}, path + "/remove", "", {.quiet = true, .icon = icon::cross, .tooltip = "Take it away; the file stays"})) {
     frame.requests.emit(request::RemoveUnderlay{u.id});
   }

@@ -142,6 +142,20 @@ TEST_F(UnderlayWindow, WhatCannotBeReadIsToldByNameWithHelp) {
   }
 }
 
+TEST_F(UnderlayWindow, ACancelledReadingLeavesNothingBehind) {
+  open_surveys();
+  const std::string cloud = write_cloud("scan.ply");
+  window().desk().drop({cloud});
+  window().frame();
+  model().jobs.cancel_all();
+  window().settle();
+  EXPECT_TRUE(model().view.underlays.empty() || model().view.underlays[0].state == ui::Underlay::State::shown);  // it may have been quicker
+  window().desk().drop({cloud});
+  window().settle();
+  ASSERT_FALSE(model().view.underlays.empty());
+  EXPECT_EQ(model().view.underlays.back().state, ui::Underlay::State::shown);
+}
+
 TEST_F(UnderlayWindow, AGeoreferenceMovesThemAndAnEmptyWindowRefusesThem) {
   window().desk().drop({(folder_ / "scan.ply").string()});
   window().frames(2);

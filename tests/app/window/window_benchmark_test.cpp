@@ -8,6 +8,10 @@
 #include <ctime>
 
 #include "app/window/requests.hpp"
+#include "core/base/random.hpp"
+#include "core/underlay/arrange_cloud.hpp"
+#include "core/underlay/raster_underlay.hpp"
+#include "io/underlay/read_cloud_underlay.hpp"
 #include "tests/app/window/window_fixture.hpp"
 #include "tests/render/demo_forest.hpp"
 
@@ -131,13 +135,51 @@ TEST_F(WindowBenchmark, FrameRatesPickingSortingAndIdlenessOfTheWholeWindow) {
                 static_cast<int>(forest.tables().observations.size()), in_map.frames_per_s, in_map.cpu_ms, in_space.frames_per_s, in_space.cpu_ms, pick_ms(), sort_ms(),
                 idle_percent());
     const QueueRow doubt = model().document.derived().tables.queue.front();
+    const double drawn_ms = longest_frame_ms([&] { model().viewport.fit(); });
     const double selected_ms = longest_frame_ms([&] { select_tree(model(), doubt.tree, false); });
     const double decided_ms = longest_frame_ms([&] { model().execute(set_tree_note(doubt.tree, "seen", stamp_now())); });
     const double undone_ms = longest_frame_ms([&] { model().document.undo(); });
     const double coloured_ms = longest_frame_ms([&] { model().view.color_by = model().view.color_by == ui::ColorBy::dbh ? ui::ColorBy::growth : ui::ColorBy::dbh; });
     const double opened_ms = longest_frame_ms([&] { model().document.replace(forest.state(), "", true); });
-    std::printf("        drawing thread, longest frame: selecting %.0f ms, deciding %.0f ms, undoing %.0f ms, another colouring %.0f ms, opening %.0f ms\n", selected_ms, decided_ms, undone_ms,
+    std::printf("        drawing thread, longest frame: drawing again %.0f ms, selecting %.0f ms, deciding %.0f ms, undoing %.0f ms, another colouring %.0f ms, opening %.0f ms\n", drawn_ms, selected_ms, decided_ms, undone_ms,
                 coloured_ms, opened_ms);
+    if (stems == 5'000) std::printf("        while an alignment of them runs and arrives: %.0f ms\n", longest_frame_ms([&] { run_alignment(model()); }));
+    std::fflush(stdout);
+  }
+}
+
+/// A picture of 2048 x 2048 pixels and a cloud of as many points as are kept over these trees.
+std::pair<std::shared_ptr<const RasterUnderlay>, std::shared_ptr<const CloudUnderlay>> large_underlays(const Tables& tables) {
+  Eigen::AlignedBox2d box;
+  for (const ObservationRow& row : tables.observations) box.extend(row.position_m.head<2>());
+  Random random(5);
+  auto raster = std::make_shared<RasterUnderlay>(RasterUnderlay{.width_px = 2048, .height_px = 2048, .columns = 2, .rows = 2, .pixel_m = 0.1});
+  raster->rgba.resize(4UL * 2048 * 2048, 255);
+  for (std::size_t i = 0; i < raster->rgba.size(); i += 4) raster->rgba[i] = static_cast<std::uint8_t>(random.below(256));
+  raster->nodes_in_reference_m = {{box.min().x(), box.max().y()}, box.max(), box.min(), {box.max().x(), box.min().y()}};
+  std::vector<RawPoint> points(most_cloud_points);
+  for (RawPoint& p : points) p.position = {random.uniform(box.min().x(), box.max().x()), random.uniform(box.min().y(), box.max().y()), random.uniform() < 0.5 ? 250.0 : random.uniform(250.0, 275.0)};
+  return {raster, std::make_shared<const CloudUnderlay>(arrange_cloud(std::move(points), 0.05))};
+}
+
+TEST_F(WindowBenchmark, FrameRatesWithLargeUnderlays) {
+  if (!std::getenv("STEMWISE_BENCHMARK")) GTEST_SKIP() << "SKIPPED: set STEMWISE_BENCHMARK=1 to measure";
+  const test::DemoForest forest(5'000 * 10 / 29);
+  model().document.replace(forest.state(), "", true);
+  window().settle();
+  const auto [raster, cloud] = large_underlays(forest.tables());
+  model().underlays.tended_revision = model().document.revision();
+  for (const bool is_cloud : {false, true}) {
+    model().view.underlays.clear();
+    model().view.underlays.push_back({.id = 1, .is_cloud = is_cloud, .opacity = is_cloud ? 1.0f : 0.75f, .state = ui::Underlay::State::shown});
+    const double shown_ms = longest_frame_ms([&, &r = raster, &c = cloud] {
+      is_cloud ? model().underlays.take(1, c) : model().underlays.take(1, r);
+    });
+    const double clipped_ms = longest_frame_ms([&] { model().view.underlays[0].high_m = 2.0f; });
+    model().view.underlays[0].high_m = ui::Underlay::highest_m;
+    const Rate in_map = moving(ui::ViewMode::map), in_space = moving(ui::ViewMode::space);
+    std::printf("%s  map %5.1f frames/s (%4.0f ms CPU each)  3D %5.1f (%4.0f ms)  drawing thread when it comes %.0f ms, at other heights %.0f ms\n", is_cloud ? "cloud  " : "picture", in_map.frames_per_s,
+                in_map.cpu_ms, in_space.frames_per_s, in_space.cpu_ms, shown_ms, clipped_ms);
     std::fflush(stdout);
   }
 }

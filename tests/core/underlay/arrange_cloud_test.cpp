@@ -35,11 +35,11 @@ std::vector<RawPoint> slope_with_stems() {
 TEST(CloudThinner, KeepsOnePointPerCubeTheFirstOne) {
   CloudThinner thinner(1000, 1.0);
   RawPoint p;
-  for (const double x : {0.1, 0.9, 1.1, -0.1}) {
+  for (const double x : {0.1, 0.9, 1.2, -0.1}) {
     p.position.x() = x;
     thinner.add(p);
   }
-  ASSERT_EQ(thinner.points().size(), 4u);  // cubes begin at the first point: 0.1 to 1.1
+  ASSERT_EQ(thinner.points().size(), 3u);  // cubes begin at the first point: 0.9 is in its cube
   CloudThinner again(1000, 1.0);
   for (const double x : {0.1, 0.9, 1.05, 1.2}) {
     p.position.x() = x;
