@@ -38,6 +38,7 @@ screenshot $out/3-align.png
 do step.review
 key N
 wait 10
+settle
 screenshot $out/4-review.png
 do view.mode
 settle

@@ -106,8 +106,9 @@ void ExportFormPanel::draw_crs(Widgets& w, Frame& frame) {
 /// How many rows there are, in which system, and the first one.
 void ExportFormPanel::draw_preview(Widgets& w, Frame& frame) {
   const std::optional<ExportPreview>& preview = frame.status.exporting;
-  if (!preview || !(preview->form == frame.view.exporting) || preview->revision != frame.revision) {
+  if (!preview) {  // as high as what comes: the button below must not move away from the mouse
     w.text("Working it out…", TextRole::table, Tone::secondary);
+    ImGui::Dummy({1.0f, w.px(28)});
     return;
   }
   for (const Issue& issue : preview->issues) w.paragraph(to_string(issue), TextRole::table, Tone::warning);

@@ -53,8 +53,9 @@ void ReportPanel::draw_report(Widgets& w, Frame& frame) {
 /// What would stand on the cover and in the sections.
 void ReportPanel::draw_contents(Widgets& w, const Frame& frame) {
   const std::optional<ReportPreview>& preview = frame.status.reporting;
-  if (!preview || preview->revision != frame.revision || preview->area_ha != frame.view.report_area_ha) {
+  if (!preview) {  // as high as what comes: the button below must not move away from the mouse
     w.text("Working it out…", TextRole::table, Tone::secondary);
+    ImGui::Dummy({1.0f, w.px(5 * 24 + 28) - w.line_height(TextRole::table)});
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
