@@ -137,7 +137,7 @@ void Desk::start_deriving() {
   using Shared = std::shared_ptr<const ui::Derived>;
   m.jobs.start<Shared>(
       "Tables", JobLane::tables,
-      [state = m.document.state(), revision = m.document.revision()](const Progress&) { return std::make_shared<const ui::Derived>(ui::derive(state, revision)); },
+      [state = m.document.snapshot(), revision = m.document.revision()](const Progress&) { return std::make_shared<const ui::Derived>(ui::derive(*state, revision)); },
       [&m](Shared derived) {
         m.document.take(std::move(derived));
         return JobVerdict{};

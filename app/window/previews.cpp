@@ -31,9 +31,9 @@ void Previews::tend(WindowModel& m) {
 bool Previews::start_fusion(WindowModel& m) {
   if (fusion_of_ == m.document.revision()) return false;
   fusion_of_ = m.document.revision();
-  start(m, &ui::WindowStatus::fusion, [state = m.document.state(), derived = m.document.shared_derived(), revision = fusion_of_] {
+  start(m, &ui::WindowStatus::fusion, [state = m.document.snapshot(), derived = m.document.shared_derived(), revision = fusion_of_] {
     ui::FusionPreview preview{revision, {}};
-    for (std::size_t i = 0; i < preview.policies.size(); ++i) preview.policies[i] = policy_effect(state, derived->tables, static_cast<FusionPolicy>(i));
+    for (std::size_t i = 0; i < preview.policies.size(); ++i) preview.policies[i] = policy_effect(*state, derived->tables, static_cast<FusionPolicy>(i));
     return preview;
   });
   return true;
@@ -43,8 +43,8 @@ bool Previews::start_placement(WindowModel& m) {
   const std::pair key{m.document.revision(), m.view.placement};
   if (!is_complete(m.view.placement) || placement_of_ == key) return false;
   placement_of_ = key;
-  start(m, &ui::WindowStatus::placement, [state = m.document.state(), key] {
-    ui::PlacementPreview preview = preview_placement(key.second, state);
+  start(m, &ui::WindowStatus::placement, [state = m.document.snapshot(), key] {
+    ui::PlacementPreview preview = preview_placement(key.second, *state);
     preview.revision = key.first;
     return preview;
   });
@@ -72,8 +72,8 @@ bool Previews::start_export(WindowModel& m) {
   const std::pair key{m.document.revision(), m.view.exporting};
   if (export_of_ == key) return false;
   export_of_ = key;
-  start(m, &ui::WindowStatus::exporting, [state = m.document.state(), derived = m.document.shared_derived(), key] {
-    ui::ExportPreview preview = preview_export(key.second, state, derived->tables);
+  start(m, &ui::WindowStatus::exporting, [state = m.document.snapshot(), derived = m.document.shared_derived(), key] {
+    ui::ExportPreview preview = preview_export(key.second, *state, derived->tables);
     preview.revision = key.first;
     return preview;
   });
@@ -84,8 +84,8 @@ bool Previews::start_report(WindowModel& m) {
   const std::pair key{m.document.revision(), m.view.report_area_ha};
   if (report_of_ == key) return false;
   report_of_ = key;
-  start(m, &ui::WindowStatus::reporting, [state = m.document.state(), derived = m.document.shared_derived(), key] {
-    ui::ReportPreview preview = preview_report(key.second, state, derived->tables);
+  start(m, &ui::WindowStatus::reporting, [state = m.document.snapshot(), derived = m.document.shared_derived(), key] {
+    ui::ReportPreview preview = preview_report(key.second, *state, derived->tables);
     preview.revision = key.first;
     return preview;
   });

@@ -300,10 +300,28 @@ class ChartPainter {
     }
   }
 
+  /// In the line of the rules' words above the plot, where those leave room: nothing lies under it there.
+  bool band_label_above(const ChartBand& band, TextStyle words, double right, double width) const {
+    double from = layout_.low_px.x();
+    bool has_words = false;
+    for (const ChartRule& rule : chart_.rules) {
+      if (!rule.is_on_x || rule.label.empty()) continue;
+      const double half = 0.5 * canvas_.text_width(rule.label, {11.5, Weight::semibold, colours_.text, Align::centre});
+      from = std::max(from, std::clamp(x_px(rule.at), layout_.low_px.x() + half, layout_.high_px.x() - half) + half + 10.0);
+      has_words = true;
+    }
+    const double end = std::max(right, from + width);
+    if (!has_words || end > layout_.high_px.x()) return false;
+    words.halo = {0, 0, 0, 0};
+    canvas_.text(end, layout_.low_px.y() - 9.0, band.label, words);
+    return true;
+  }
+
   /// At the right edge of its band, or beside it where a rule would run through the words.
   void band_label_on_x(const ChartBand& band, TextStyle words) const {
     const double right = x_px(std::min(band.high, chart_.x.high)) - 5.0;
     const double width = canvas_.text_width(band.label, words), y = layout_.low_px.y() + 10.0;
+    if (band_label_above(band, words, right, width)) return;
     const auto crosses = [&](const ChartRule& rule) { return rule.is_on_x && x_px(rule.at) > right - width - 4.0 && x_px(rule.at) < right + 4.0; };
     const bool room_beside = right + 10.0 + width < layout_.high_px.x();
     if (!room_beside || std::none_of(chart_.rules.begin(), chart_.rules.end(), crosses)) {
