@@ -172,4 +172,61 @@ settle
 screenshot $out/18-full.png
 END
 "$stemwise" gui --script "$script" "$table"/full/20*.csv
+# Decisions, their history, what the surveys contradict each other in; finding files and commands.
+export SOURCE_DATE_EPOCH=1795860000  # the decisions' time
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+click empty/demo
+settle
+do step.align
+click align/run
+settle
+do step.review
+key N
+settle
+key A
+settle
+key N
+settle
+key R
+settle
+key N
+settle
+key A
+settle
+wait 100
+click tabs/Edit log
+move 10 300
+settle
+screenshot $out/19-edit-log.png
+click tabs/Conflicts
+click conflicts/row/0
+do step.merge
+click merge/tree
+move 10 300
+settle
+screenshot $out/20-conflicts.png
+do edit.history
+settle
+screenshot $out/21-history.png
+click dialog/Undo history/close
+do help.palette
+settle
+type colour
+settle
+screenshot $out/22-palette.png
+END
+"$stemwise" gui --script "$script"
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+do file.add
+settle
+fill files/path $table/full
+move 700 600
+settle
+screenshot $out/23-files.png
+END
+"$stemwise" gui --script "$script"
 echo "pictures in $out"

@@ -202,7 +202,11 @@ void PlacementFormPanel::draw_preview(Widgets& w, Frame& frame) {
     for (const Issue& issue : preview->issues) w.paragraph(to_string(issue), TextRole::table, Tone::warning);
     if (!preview->usable) problem = preview->issues.empty() ? "This places nothing" : preview->issues.back().text;
     if (preview->usable && is_same_place(preview->georeference, frame.state().georeference)) problem = "The project lies there already";
-  } else if (problem.empty()) {
+  } else if (!frame.state().georeference.residuals.empty()) {
+    w.text("As it is placed now", TextRole::strong);
+    draw_residuals(w, frame.state().georeference);
+  }
+  if (!ready && problem.empty()) {
     problem = frame.status.placement_busy ? "Working it out…" : "The file cannot be found";
     w.text(problem, TextRole::table, Tone::secondary);
   }
