@@ -55,7 +55,8 @@ ExitCode read_hints(const AlignOptions& options, const Project& project, Console
 /// --crs: the reference's coordinates are the earth's.
 ExitCode place_reference(const AlignOptions& options, Project& project, Console& console) {
   if (options.crs.empty()) return ExitCode::done;
-  const Placement placement = place_in_crs(*epsg_from(options.crs), *project.state().find(project.state().reference), console);
+  const Placement placement = place_in_crs(*epsg_from(options.crs), *project.state().find(project.state().reference));
+  tell(placement, console);
   if (placement.code == ExitCode::done) project.execute(set_georeference(placement.georeference));
   return placement.code;
 }

@@ -39,6 +39,22 @@ ChartHit hit_of_bar(const ChartModel& chart, const ChartBars& series, const Char
   return {bar.trees, text};
 }
 
+std::optional<ChartHit> hit_petal(const ChartModel& chart, const Eigen::Vector2d& value) {
+  constexpr double turn = 6.283185307179586;
+  const double angle = std::atan2(value.x(), value.y());
+  for (const ChartPetal& petal : chart.petals) {
+    const double in = std::fmod(angle - petal.from_rad + 2.0 * turn, turn);
+    if (in <= petal.to_rad - petal.from_rad && value.norm() <= std::max(petal.radius, 0.12)) return ChartHit{petal.trees, petal.label};
+  }
+  return std::nullopt;
+}
+
+bool crosses(const ChartPetal& petal, const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
+  const double middle = 0.5 * (petal.from_rad + petal.to_rad), reach = 0.6 * petal.radius;
+  const Eigen::Vector2d at(reach * std::sin(middle), reach * std::cos(middle));
+  return (at.array() >= low.array()).all() && (at.array() <= high.array()).all();
+}
+
 }  // namespace
 
 bool ChartLayout::contains(const Eigen::Vector2d& pixel) const {
@@ -94,6 +110,7 @@ Result<Done> write_chart(const ChartModel& chart, const ChartStyle& style, const
 
 std::optional<ChartHit> hit_chart(const ChartModel& chart, const ChartLayout& layout, const Eigen::Vector2d& pixel, double tolerance_px) {
   if (!layout.contains(pixel)) return std::nullopt;
+  if (!chart.petals.empty()) return hit_petal(chart, layout.value_at(pixel));
   const ChartPoint* nearest = nullptr;
   const ChartPoints* nearest_series = nullptr;
   double least_px = tolerance_px;
@@ -129,6 +146,8 @@ std::vector<TreeId> trees_in_chart(const ChartModel& chart, const ChartLayout& l
   for (const ChartBars& series : chart.bars)
     for (const ChartBar& bar : series.bars)
       if (bar.x_high > low.x() && bar.x_low < high.x() && bar.value >= low.y()) trees.insert(trees.end(), bar.trees.begin(), bar.trees.end());
+  for (const ChartPetal& petal : chart.petals)
+    if (crosses(petal, low, high)) trees.insert(trees.end(), petal.trees.begin(), petal.trees.end());
   std::sort(trees.begin(), trees.end());
   trees.erase(std::unique(trees.begin(), trees.end()), trees.end());
   return trees;

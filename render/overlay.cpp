@@ -171,7 +171,7 @@ class OverlayPainter {
     canvas_.fill(colours_.text);
     cairo_restore(cr);
     const char* words = scene_.north_azimuth_rad ? "N" : "+y";
-    canvas_.text(width_ - margin - 18.0, margin + 39.0, words, {12.0, Weight::bold, colours_.text, Align::centre, colours_.map.with_alpha(0.8)});
+    canvas_.text(width_ - margin - 18.0, margin + 43.0, words, {12.0, Weight::bold, colours_.text, Align::centre, colours_.map.with_alpha(0.8)});
   }
 
   void legend_mark(double x, double y, const LegendEntry& entry) const {

@@ -77,7 +77,8 @@ struct Viewport::Impl {
 
   /// Free of the tool bar or title above, and in a picture that leaves the program of the legend at its left.
   void fit_map(const Eigen::Vector2d& middle_m, const Eigen::Vector2d& extent_m) {
-    const double side_px = 22.0 * view.px_scale, top_px = 54.0 * view.px_scale;
+    const double caption_px = scene.side_frames.empty() ? 0.0 : 26.0;  // names stand above surveys that are shown beside
+    const double side_px = 22.0 * view.px_scale, top_px = (54.0 + caption_px) * view.px_scale;
     const double left_px = options.title.empty() || !options.legend || view.size.width < 700 * view.px_scale ? side_px : 240.0 * view.px_scale;
     const double free_width = std::max(80.0, view.size.width - left_px - side_px);
     const double free_height = std::max(80.0, view.size.height - top_px - side_px);

@@ -38,6 +38,7 @@ screenshot $out/3-align.png
 do step.review
 key N
 wait 10
+settle
 screenshot $out/4-review.png
 do view.mode
 settle
@@ -57,7 +58,7 @@ do step.merge
 settle
 screenshot $out/8-merge.png
 do step.report
-click tabs/Jobs and notices
+click tabs/Jobs
 wait 10
 screenshot $out/9-report.png
 do help.keys
@@ -101,4 +102,131 @@ settle
 screenshot $out/13-underlay.png
 END
 "$stemwise" gui --script "$script" "$table/sim/2018.csv" "$table/sim/2023.csv"
+
+# The states that a panel can be in: working, refused, and full. (Empty is the first picture.)
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+click empty/demo
+settle
+do step.align
+click align/run
+move 10 300
+screenshot $out/14-working.png
+settle
+do step.merge
+wait 100
+click merge/kind/control
+fill merge/control_file $table/control.csv
+click tabs/Growth
+settle
+wheel $((${size%x*} - 100)) 400 -30
+move 10 300
+settle
+screenshot $out/15-control-points.png
+do step.report
+click report/open_export
+click report/open_rules
+click growth/choose/0
+click growth/choose/0/Residual directions
+move 10 300
+settle
+screenshot $out/16-rules-and-rose.png
+END
+# Points around the stand whose places agree to some centimetres; the last one was read wrongly.
+{ echo "x_m,y_m,lat,lon,height_m"
+  awk 'BEGIN { n = split("0 0 95 5 100 90 -5 85 45 40 60 20", p, " "); for (i = 1; i < n; i += 2) { e = (i * 7 % 5 - 2) * 0.03; x = p[i]; y = p[i + 1];
+    printf "%.2f,%.2f,%.8f,%.8f,%.2f\n", x, y, 48.77214 + (y + e + (i > 10 ? 14 : 0)) / 111206.0, 9.16621 + (x - e) / 73465.0, 412 } }'; } > "$table/control.csv"
+"$stemwise" gui --script "$script"
+"$stemwise" simulate -o "$table/a" --stems 400 --years 2015,2019 --seed 1 -q
+"$stemwise" simulate -o "$table/b" --stems 30 --years 2023,2027 --seed 2 -q
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+settle
+do step.align
+click align/run
+settle
+do step.align
+click align/survey/2023
+settle
+click align/rescue/2023
+click align/rescue/pick
+wait 100
+move 10 300
+screenshot $out/17-refused.png
+END
+"$stemwise" gui --script "$script" "$table/a/2015.csv" "$table/b/2023.csv"
+"$stemwise" simulate -o "$table/full" --stems 2200 --years 2003,2008,2013,2018,2023 --seed 5 -q
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+settle
+do step.align
+click align/run
+settle
+do step.review
+key N
+wait 10
+settle
+screenshot $out/18-full.png
+END
+"$stemwise" gui --script "$script" "$table"/full/20*.csv
+# Decisions, their history, what the surveys contradict each other in; finding files and commands.
+export SOURCE_DATE_EPOCH=1795860000  # the decisions' time
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+click empty/demo
+settle
+do step.align
+click align/run
+settle
+do step.review
+key N
+settle
+key A
+settle
+key N
+settle
+key R
+settle
+key N
+settle
+key A
+settle
+wait 100
+click tabs/Edit log
+move 10 300
+settle
+screenshot $out/19-edit-log.png
+click tabs/Conflicts
+click conflicts/row/0
+do step.merge
+click merge/tree
+move 10 300
+settle
+screenshot $out/20-conflicts.png
+do edit.history
+settle
+screenshot $out/21-history.png
+click dialog/Undo history/close
+do help.palette
+settle
+type colour
+settle
+screenshot $out/22-palette.png
+END
+"$stemwise" gui --script "$script"
+cat > "$script" << END
+size ${size%x*} ${size#*x}
+theme $theme
+do file.add
+settle
+fill files/path $table/full
+move 700 600
+settle
+screenshot $out/23-files.png
+END
+"$stemwise" gui --script "$script"
 echo "pictures in $out"

@@ -90,6 +90,7 @@ Derived derive(const ProjectState& state, std::uint64_t revision) {
   }
   count_overlap(d);
   count_fates(d, state);
+  d.conflicts = fusion_conflicts(state, t);
   return d;
 }
 

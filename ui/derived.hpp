@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/survey/fusion_review.hpp"
 #include "core/survey/tables.hpp"
 
 namespace stemwise::ui {
@@ -26,6 +27,7 @@ struct Derived {
   std::array<int, fate_count> last_step_fates{};                      ///< of the trees seen in one of the last two surveys
   int dead_before = 0;                                                ///< recorded as dead in the first of the two already, or before
   int seen_before_only = 0;                                           ///< trees last seen before these two
+  std::vector<FusionConflict> conflicts;                              ///< between surveys, on merged trees
   int decided = 0;                                                    ///< of the queue
 
   const TreeRow* tree(TreeId id) const;

@@ -29,6 +29,15 @@ std::string survey_label(const ProjectState& state, InventoryId id) {
   return std::to_string(year_of(*inventory->date));
 }
 
+InventoryId survey_to_compare(const ProjectState& state, const ViewState& view) {
+  if (view.selected_inventory != state.reference && state.alignments.contains(view.selected_inventory)) return view.selected_inventory;
+  InventoryId last;
+  for (const InventoryId id : state.by_date()) {
+    if (id != state.reference && state.alignments.contains(id)) last = id;
+  }
+  return last;
+}
+
 StemRef unlink_target(const ProjectState& state, const ViewState& view) {
   const auto it = state.trees.find(view.selected_tree);
   if (it == state.trees.end() || it->second.stems.size() < 2) return {};

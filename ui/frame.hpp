@@ -29,6 +29,8 @@ Color inventory_color(const ProjectState& state, InventoryId id);
 std::string stem_label(const ProjectState& state, StemRef stem);
 /// What people call an inventory: its year where every inventory has one of its own, else its name.
 std::string survey_label(const ProjectState& state, InventoryId id);
+/// The survey whose alignment is looked at: the selected one, or the last one that is not the reference. None without any.
+InventoryId survey_to_compare(const ProjectState& state, const ViewState& view);
 /// The stem that Unlink takes out: the selected one, else the tree's last sighting.
 StemRef unlink_target(const ProjectState& state, const ViewState& view);
 /// The match that Accept and Reject decide on: that of the selected stem, else that of the queue, else the tree's least certain

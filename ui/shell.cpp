@@ -40,6 +40,7 @@ bool is_bottom_empty(const Frame& frame) {
     case BottomTab::queue: return t.queue.empty();
     case BottomTab::matches: return t.matches.empty();
     case BottomTab::growth: return t.growth.empty();
+    case BottomTab::conflicts: return frame.derived.conflicts.empty();
     case BottomTab::log: return frame.state().edit_log.empty();
     case BottomTab::jobs: return frame.status.jobs.size() < 2 && frame.status.notices.empty();
   }
@@ -103,6 +104,7 @@ struct Shell::Impl {
 Shell::Shell() : impl_(std::make_unique<Impl>()) {}
 Shell::~Shell() = default;
 const WidgetRegistry& Shell::registry() const { return impl_->widgets.registry; }
+const std::string& Shell::focused() const { return impl_->widgets.focus.focused(); }
 Rect Shell::viewport_rect() const { return impl_->viewport; }
 
 bool Shell::prepare(const ViewState& view, float display_scale) {
@@ -110,6 +112,7 @@ bool Shell::prepare(const ViewState& view, float display_scale) {
   const bool new_fonts = !impl_->prepared || impl_->widgets.fonts.scale() != wanted.scale;
   if (new_fonts) impl_->widgets.fonts.load(wanted.scale);
   if (new_fonts || !(wanted == impl_->applied)) apply_style(wanted);
+  ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;  // Tab goes through all controls (FocusOrder), not only through text fields
   impl_->widgets.theme = impl_->applied = wanted;
   impl_->prepared = true;
   return new_fonts;
@@ -118,12 +121,18 @@ bool Shell::prepare(const ViewState& view, float display_scale) {
 void Shell::draw(Frame& frame) {
   Widgets& w = impl_->widgets;
   w.registry.begin_frame();
+  w.focus.begin_frame();
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyPressed(258)) w.focus.move(!io.KeyShift);
   if (frame.view.dialog == Dialog::none) run_keys(frame.available, frame.requests);
   const bool plain = !ImGui::GetIO().KeyShift;  // with Shift, Escape cancels a job
   if (frame.view.dialog == Dialog::none && plain && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     frame.view.tool = Tool::select;
     frame.view.blink = false;
     frame.view.slide = false;
+    frame.view.before_after = false;
+    frame.view.ghost = false;
+    frame.view.link_from = {};
     frame.view.group.clear();
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -154,16 +163,16 @@ void Shell::Impl::draw_body(Frame& frame, const Layout& l) {
     return;
   }
   viewport = l.middle;
-  draw_left(frame, l.left);
+  draw_left(frame, l.left);  // in the order in which Tab goes through them
+  ImGui::SetCursorScreenPos({l.middle.x, l.middle.y});
+  ImGui::BeginChild("middle", {l.middle.width, l.middle.height}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  viewport_panel.draw(widgets, frame, l.middle);
+  ImGui::EndChild();
   draw_right(frame, l.right);
   if (l.bottom.height > 0) {
     widgets.fill(l.bottom, widgets.tokens().panel);
     bottom.draw(widgets, frame, l.bottom);
   }
-  ImGui::SetCursorScreenPos({l.middle.x, l.middle.y});
-  ImGui::BeginChild("middle", {l.middle.width, l.middle.height}, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  viewport_panel.draw(widgets, frame, l.middle);
-  ImGui::EndChild();
   widgets.hairline(l.left.right() - 1, l.left.y, l.left.right(), l.left.bottom());
   widgets.hairline(l.right.x, l.right.y, l.right.x + 1, l.right.bottom());
   if (l.bottom.height > 0) widgets.hairline(l.bottom.x, l.bottom.y, l.bottom.right(), l.bottom.y + 1);
@@ -243,7 +252,12 @@ void Shell::Impl::start_browsing(Frame& frame) {
     case Dialog::add_underlay: mode = {"Add an underlay", "Add", {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".vrt", ".asc", ".las", ".laz", ".pcd", ".ply"}, false, false, ""}; break;
     case Dialog::save_project: mode = {"Save the project", "Save", {".gpkg"}, true, false, title + ".gpkg"}; break;
     case Dialog::export_path: mode = {"Export to", "Choose", {".gpkg", ".csv", ".xlsx", ".geojson", ".shp", ".kml", ".dxf", ".fgb"}, true, false, title + "-trees.gpkg"}; break;
-    default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv"}, true, false, title + "-growth.html"}; break;
+    case Dialog::field_check_path: mode = {"Write the field check sheet to", "Choose", {".pdf", ".html", ".gpx", ".csv", ".xlsx"}, true, false, title + "-field-check.pdf"}; break;
+    case Dialog::chart_path: mode = {"Save the chart", "Save", {".png", ".svg"}, true, false, title + "-" + chart_word(frame.view.saved_chart) + ".png"}; break;
+    case Dialog::control_file: mode = {"Control points", "Open", {".csv", ".txt", ".tsv"}, false, false, ""}; break;
+    case Dialog::gnss_file: mode = {"GNSS track", "Open", {".csv", ".txt", ".tsv"}, false, false, ""}; break;
+    case Dialog::rules_file: mode = {"Own rules", "Open", {".json"}, false, false, ""}; break;
+    default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv", ".xlsx"}, true, false, title + "-growth.html"}; break;
   }
   const std::string folder = mode.save ? frame.status.project_folder : frame.status.working_folder;
   files.open(std::move(mode), folder);
@@ -258,6 +272,11 @@ void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& 
     case Dialog::add_underlay: frame.requests.emit(request::AddUnderlays{paths}); break;
     case Dialog::save_project: frame.requests.emit(request::SaveProject{paths.front()}); break;
     case Dialog::export_path: report.set_export_path(paths.front()); break;
+    case Dialog::field_check_path: report.set_field_check_path(paths.front()); break;
+    case Dialog::chart_path: frame.requests.emit(request::SaveChart{frame.view.saved_chart, paths.front()}); break;
+    case Dialog::control_file: frame.view.placement.control_file = paths.front(); break;
+    case Dialog::gnss_file: frame.view.placement.gnss_file = paths.front(); break;
+    case Dialog::rules_file: frame.requests.emit(request::ReadRules{paths.front()}); break;
     default: report.set_report_path(paths.front()); break;
   }
 }

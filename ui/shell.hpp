@@ -20,6 +20,7 @@ class Shell {
   void draw(Frame& frame);
 
   const WidgetRegistry& registry() const;
+  const std::string& focused() const;  ///< the control that has the keyboard, by its path; "" for none
   /// Where the map or 3D view goes, in pixels; empty while something else is there. Known after the first draw.
   Rect viewport_rect() const;
 

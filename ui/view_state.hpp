@@ -6,6 +6,8 @@
 
 #include "core/base/ids.hpp"
 #include "core/survey/fate.hpp"
+#include "ui/charts.hpp"
+#include "ui/previews.hpp"
 #include "ui/queue_filter.hpp"
 #include "ui/theme/style.hpp"
 
@@ -13,11 +15,12 @@ namespace stemwise::ui {
 
 enum class Step { inventories = 1, align, review, merge, report };
 enum class ViewMode { map, space };
-enum class Tool { select, rectangle, measure, link, swap, merge };
+/// `lasso` and `coverage` take corners by clicks; `pair` two stems of surveys that are not aligned yet.
+enum class Tool { select, rectangle, lasso, measure, link, swap, merge, pair, coverage };
 enum class Heat { none, density, times_seen, residual };
 enum class ColorBy { inventory, fate, dbh, growth, residual, confidence, times_seen };
-enum class BottomTab { queue, matches, growth, log, jobs };
-enum class Dialog { none, open_project, add_inventories, import_inventories, import, add_underlay, save_project, export_path, report_path, palette, keys, about, history, recover, leave, question };
+enum class BottomTab { queue, matches, growth, conflicts, log, jobs };
+enum class Dialog { none, open_project, add_inventories, import_inventories, import, add_underlay, save_project, export_path, report_path, field_check_path, chart_path, control_file, gnss_file, rules_file, palette, keys, about, history, recover, leave, question };
 
 /// What is laid over the map and the 3D view.
 struct Layers {
@@ -79,16 +82,25 @@ struct ViewState {
   InventoryId selected_inventory;
   std::vector<TreeId> group;       ///< several trees selected together, ascending; decisions mean all of them
   StemRef link_from;               ///< while the tools link, swap and merge wait for the second stem
+  std::vector<std::pair<StemRef, StemRef>> pairs;  ///< said to be the same trees, for surveys that could not be aligned; the reference's stem first
+  bool ghost = false;              ///< the selected survey is shown a second time at its second-best pose
   QueueFilter queue;
   Heat heat = Heat::none;
   bool blink = false;
   bool slide = false;              ///< the last two surveys side by side, with a bar to drag between them
+  bool before_after = false;       ///< the selected survey as it was given, and aligned, side by side with the same bar
   float slide_at = 0.5f;           ///< of the picture's width: left of it the earlier survey, right of it the later one
   ThemeName theme = ThemeName::light;
   bool reduce_motion = false;
   double zoom_percent = 100.0;     ///< of the interface, beside the display's own scale
   PanelSizes panels;
   Dialog dialog = Dialog::none;
+  std::size_t growth_step = ~std::size_t{0};  ///< which pair of surveys the charts are of, in Tables::growth; beyond its end: the last
+  Chart chart = Chart::growth_distribution;   ///< the first one shown
+  Chart saved_chart = Chart::growth_distribution;  ///< whose file is being chosen
+  PlacementForm placement;
+  ExportForm exporting;
+  double report_area_ha = 0.0;     ///< 0: of the coverage
 };
 
 }  // namespace stemwise::ui

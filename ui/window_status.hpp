@@ -8,6 +8,7 @@
 #include "ui/charts.hpp"
 #include "ui/geometry.hpp"
 #include "ui/import_view.hpp"
+#include "ui/previews.hpp"
 
 namespace stemwise::ui {
 
@@ -91,6 +92,14 @@ struct WindowStatus {
   std::optional<Rect> selection_box;        ///< drawn by the mouse just now, in the picture's pixels
   std::optional<OverlayLine> measure_line;
   std::string measure_text;                 ///< what the measuring tool has to say
+  std::vector<OverlayLine> shape;           ///< sides of the lasso or coverage that is being drawn; the last one goes back to its start
+  std::vector<OverlayLine> pair_lines;      ///< between stems said to be the same tree
+  std::optional<PlacementPreview> placement;
+  bool placement_busy = false;              ///< another form is being worked out
+  std::optional<FusionPreview> fusion;
+  std::optional<RulePreviews> rules;
+  std::optional<ExportPreview> exporting;
+  std::optional<ReportPreview> reporting;
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing
   std::vector<ImportFile> imports;          ///< what the import dialog is about
   std::optional<Question> question;         ///< asked while the dialog `question` is open

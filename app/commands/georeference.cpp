@@ -41,13 +41,6 @@ std::string georeference_json(const Georeference& g) {
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Placement place(const GeoreferenceOptions& options, const ProjectState& state, Console& console) {
-  if (!options.anchor.empty()) return place_by_anchor(options, state, console);
-  if (!options.crs.empty()) return place_by_crs(options, state, console);
-  if (!options.gnss.empty()) return place_by_gnss(options, state, console);
-  return place_by_control_points(options, state, console);
-}
-
 }  // namespace
 
 ExitCode run_georeference(const GeoreferenceOptions& options, Session& session) {
@@ -57,12 +50,9 @@ ExitCode run_georeference(const GeoreferenceOptions& options, Session& session) 
   }
   std::optional<Project> project = open_project(options.project, session);
   if (!project) return ExitCode::unusable_input;
-  Placement placement = place(options, project->state(), session.console);
+  const Placement placement = place_project(options, project->state());
+  tell(placement, session.console);
   if (placement.code != ExitCode::done) return placement.code;
-  const auto geoid = named_geoid(options.geoid, placement.georeference.origin);
-  session.console.issues(geoid.issues);
-  if (!geoid) return ExitCode::failed;
-  placement.georeference.geoid = *geoid;
   project->execute(set_georeference(placement.georeference));
   const ExitCode saved = save_project(options.project, *project, session);
   if (saved != ExitCode::done) return saved;

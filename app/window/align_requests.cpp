@@ -54,6 +54,7 @@ JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome o
   if (m.document.revision() != revision) return {false, "The project was changed meanwhile: align again"};
   const std::vector<std::string> notes = outcome.alignment.notes;
   m.execute(apply_outcome(std::move(outcome)));
+  forget_used_pairs(m);
   tell_refusals(m);
   Issues doubts;
   for (const std::string& doubt : unit_doubts(m.document.state())) doubts.push_back(Issue{Severity::warning, "", 0, "", doubt, "Remove that survey and add it again with its unit (Import with options)."});
@@ -78,6 +79,8 @@ void run_alignment(WindowModel& m) {
   m.notices.add_issues("Some settings were left out", issues);
   AlignHints hints;
   hints.rough_poses = m.rough_poses;
+  forget_used_pairs(m);
+  for (const auto& [known, other] : m.view.pairs) hints.same_tree.push_back({known, other});
   m.view.step = ui::Step::align;
   m.view.panels.show_right = true;
   const auto surveys = static_cast<std::int64_t>(m.document.state().inventories.size());

@@ -32,6 +32,15 @@ struct Answer {
   void operator()(const request::SetFate& r) const { m.execute(set_fate(r.tree, r.fate, stamp_now())); }
   void operator()(const request::SetNote& r) const { m.execute(set_tree_note(r.tree, r.note, stamp_now(r.note))); }
   void operator()(const request::SetFusion& r) const { m.execute(set_fusion_policy(r.policy)); }
+  void operator()(const request::ChooseSource& r) const { m.execute(choose_source(r.tree, r.attribute, r.source)); }
+  void operator()(const request::ChooseRules& r) const { choose_rules(m, r.pack); }
+  void operator()(const request::ReadRules& r) const { read_own_rules(m, r.path); }
+  void operator()(const request::SetDbhError& r) const { m.execute(set_dbh_error(r.inventory, r.error_m)); }
+  void operator()(const request::EstimateCoverage& r) const { estimate_coverage_again(m, r.inventory); }
+  void operator()(const request::AlignByPairs&) const { align_by_pairs(m); }
+  void operator()(const request::Shape& r) const { r.close ? m.viewport.shape().close() : m.viewport.shape().take_back(); }
+  void operator()(const request::WriteFieldCheck& r) const { write_field_check_sheet(m, r); }
+  void operator()(const request::SaveChart& r) const { save_chart(m, r); }
   void operator()(const request::SetGeoreference& r) const { m.execute(set_georeference(r.georeference)); }
   void operator()(const request::SetSetting& r) const { m.execute(set_setting(r.key, r.value)); }
   void operator()(const request::GoToHistory& r) const {
@@ -55,12 +64,17 @@ struct Answer {
   void operator()(const request::Export& r) const { export_layer(m, r); }
   void operator()(const request::WriteReport& r) const { write_report(m, r); }
   void operator()(const request::ShowChart& r) const {
-    const std::vector<TreeId> trees = m.charts.show(r, m.document, m.view, m.scale);
-    if (!trees.empty()) select_tree(m, trees.front(), true);
+    std::vector<TreeId> trees = m.charts.show(r, m.document, m.view, m.scale);
+    if (trees.size() == 1 && !r.adds) return select_tree(m, trees.front(), true);
+    if (trees.empty()) return;
+    if (r.adds) trees.insert(trees.end(), m.view.group.begin(), m.view.group.end());
+    select_group(m, std::move(trees));
   }
   void operator()(const request::Pointer& r) const {
     const auto pick = m.viewport.pointer(r, m.view);
-    if (r.clicked && m.view.tool != ui::Tool::measure) {
+    const bool takes_places = m.view.tool == ui::Tool::measure || m.view.tool == ui::Tool::lasso || m.view.tool == ui::Tool::coverage;
+    if (const auto corners = m.viewport.shape().take()) finish_shape(m, *corners, r.ctrl);
+    if (r.clicked && !takes_places) {
       const bool adds = r.ctrl && pick && pick->tree && m.view.tool == ui::Tool::select;
       adds ? toggle_in_group(m, pick->tree) : pick ? click_stem(m, *pick) : select_tree(m, TreeId{}, false);
     }

@@ -40,7 +40,7 @@ void Autosave::tend(WindowModel& m) {
   kept_ = m.document.revision();
   const AutosaveOrigin origin{m.document.path(), m.document.title(), stamp_now().time_utc, platform::process_id()};
   m.jobs.start<Result<Done>>(
-      "Autosave", JobLane::keeper, [file = file_, state = m.document.state(), origin](const Progress&) { return keep(file, state, origin); },
+      "Autosave", JobLane::keeper, [file = file_, state = m.document.snapshot(), origin](const Progress&) { return keep(file, *state, origin); },
       [&m](Result<Done> written) -> JobVerdict {
         if (!written) m.notices.add_issues("Autosave could not be written", written.issues);
         return {static_cast<bool>(written), ""};

@@ -19,8 +19,10 @@ class ChartHost {
   ChartHost(const ChartHost&) = delete;
   ChartHost& operator=(const ChartHost&) = delete;
 
-  /// Needs the GL context. The trees that a click stands for, none without a click.
+  /// Needs the GL context. The trees that a click or a rectangle stands for, none without.
   std::vector<TreeId> show(const ui::request::ShowChart& ask, const Document& document, const ui::ViewState& view, double scale);
+  /// The chart as it is shown now, on white: .png or .svg.
+  Result<Done> write(ui::Chart chart, const std::string& path) const;
   const ui::ChartViews& views() const { return views_; }
   /// True once after something was painted: the window has to be drawn again to show it.
   std::uint64_t pictures_painted() const { return pictures_painted_; }
@@ -30,6 +32,7 @@ class ChartHost {
   struct Key {
     std::uint64_t revision = ~0ULL;
     TreeId tree;
+    std::size_t step = 0;
     render::ChartStyle style;
     bool operator==(const Key&) const = default;
   };

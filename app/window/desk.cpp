@@ -115,6 +115,7 @@ void Desk::frame(double elapsed_s) {
   poll(elapsed_s);
   start_deriving();
   WindowModel& m = *model_;
+  m.previews.tend(m);
   m.viewport.update(m.document, m.view, m.underlays.shown(m.view), parts_->now_s);
   parts_->moving = m.viewport.advance(elapsed_s, m.view);
   m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), model_->scale);
@@ -136,7 +137,7 @@ void Desk::start_deriving() {
   using Shared = std::shared_ptr<const ui::Derived>;
   m.jobs.start<Shared>(
       "Tables", JobLane::tables,
-      [state = m.document.state(), revision = m.document.revision()](const Progress&) { return std::make_shared<const ui::Derived>(ui::derive(state, revision)); },
+      [state = m.document.snapshot(), revision = m.document.revision()](const Progress&) { return std::make_shared<const ui::Derived>(ui::derive(*state, revision)); },
       [&m](Shared derived) {
         Shared old = m.document.shared_derived();
         m.document.take(std::move(derived));
@@ -248,6 +249,8 @@ std::vector<LiveTexture> Desk::live_textures() const {
   for (const ui::ChartView& view : model_->charts.views()) live.push_back({view.texture, model_->charts.pictures_painted(), view.width_px, view.height_px, false});
   return live;
 }
+
+const std::string& Desk::focused() const { return parts_->shell.focused(); }
 
 std::string Desk::title() const {
   if (model_->document.is_empty()) return "Stemwise";

@@ -39,6 +39,7 @@ class Desk {
   WindowModel& model() { return *model_; }
   const WindowModel& model() const { return *model_; }
   const ui::WidgetRegistry& registry() const;
+  const std::string& focused() const;  ///< the control that has the keyboard; "" for none
   std::string title() const;
   /// The map or 3D view and the charts, as the last frame showed them.
   std::vector<LiveTexture> live_textures() const;

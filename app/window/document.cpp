@@ -6,6 +6,14 @@ namespace stemwise {
 
 Document::Document() : project_(std::make_unique<Project>()) { derived_ = std::make_shared<const ui::Derived>(ui::derive(state(), revision())); }
 
+std::shared_ptr<const ProjectState> Document::snapshot() {
+  if (!snapshot_ || snapshot_revision_ != revision()) {
+    snapshot_ = std::make_shared<const ProjectState>(state());
+    snapshot_revision_ = revision();
+  }
+  return snapshot_;
+}
+
 void Document::take(std::shared_ptr<const ui::Derived> derived) {
   if (derived->revision >= derived_->revision && derived->revision <= revision()) derived_ = std::move(derived);
 }

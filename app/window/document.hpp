@@ -15,6 +15,8 @@ class Document {
 
   const Project& project() const { return *project_; }
   const ProjectState& state() const { return project_->state(); }
+  /// The state as it is now, for jobs: copied once per revision, shared by all of them.
+  std::shared_ptr<const ProjectState> snapshot();
   /// Unique over all projects of this window: goes up with every change, also when another project is opened.
   std::uint64_t revision() const { return (epoch_ << 32) + project_->revision(); }
   const ui::Derived& derived() const { return *derived_; }
@@ -39,6 +41,8 @@ class Document {
  private:
   std::unique_ptr<Project> project_;
   std::shared_ptr<const ui::Derived> derived_;
+  std::shared_ptr<const ProjectState> snapshot_;
+  std::uint64_t snapshot_revision_ = 0;
   std::uint64_t epoch_ = 1;
   std::string path_;
   bool never_saved_ = false;  ///< recovered, or the demo: is in no file of the person's

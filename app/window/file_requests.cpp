@@ -26,6 +26,15 @@ void reset_view(WindowModel& m) {
   m.view.underlays.clear();
   m.underlays = {};
   m.rough_poses.clear();
+  m.view.pairs.clear();
+  m.view.ghost = m.view.before_after = m.view.slide = false;
+  m.view.placement = {};
+  m.previews.forget();
+  m.status.placement.reset();
+  m.status.fusion.reset();
+  m.status.rules.reset();
+  m.status.exporting.reset();
+  m.status.reporting.reset();
   m.walk = {};
 }
 
@@ -67,15 +76,6 @@ JobVerdict take_saved(WindowModel& m, const std::string& path, std::uint64_t rev
   return {true, "written to " + path};
 }
 
-JobVerdict tell_written(WindowModel& m, const std::string& path, const Result<Done>& written) {
-  if (!written) {
-    m.notices.add_issues(file_name(path) + " could not be written", written.issues);
-    return {false, "not written"};
-  }
-  m.notices.add(Severity::note, "Written: " + path, written.issues);
-  return {true, "written to " + path};
-}
-
 void start_export(WindowModel& m, const ui::request::Export& what) {
   m.jobs.start<Result<Done>>(
       "Export " + file_name(what.path), JobLane::person,
@@ -97,6 +97,15 @@ void start_report(WindowModel& m, const ui::request::WriteReport& what) {
 }
 
 }  // namespace
+
+JobVerdict tell_written(WindowModel& m, const std::string& path, const Result<Done>& written) {
+  if (!written) {
+    m.notices.add_issues(file_name(path) + " could not be written", written.issues);
+    return {false, "not written"};
+  }
+  m.notices.add(Severity::note, "Written: " + path, written.issues);
+  return {true, "written to " + path};
+}
 
 void remember_folder(WindowModel& m, const std::string& path) {
   std::error_code error;

@@ -17,9 +17,9 @@
 
 namespace stemwise {
 
-/// Which thread a job runs on: what a person asked for, tables of the current revision, autosave.
-enum class JobLane { person, tables, keeper };
-inline constexpr std::size_t job_lane_count = 3;
+/// Which thread a job runs on: what a person asked for, tables of the current revision, autosave, what forms would do.
+enum class JobLane { person, tables, keeper, previews };
+inline constexpr std::size_t job_lane_count = 4;
 
 /// What became of a job, said when its result is delivered.
 struct JobVerdict {

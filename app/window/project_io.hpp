@@ -23,6 +23,8 @@ ReadSurveys make_demo(const Progress& progress);
 Result<ProjectState> read_project_file(const std::string& path);
 Result<Done> write_project_file(const std::string& path, const ProjectState& state);
 Result<Done> write_export(const ProjectState& state, const ui::request::Export& what);
+/// .pdf, .html, .csv, .xlsx, or waypoints as .gpx.
+Result<Done> write_field_check(const ProjectState& state, const ui::request::WriteFieldCheck& what);
 Result<Done> write_growth_report(const ProjectState& state, const ui::request::WriteReport& what);
 
 }  // namespace stemwise

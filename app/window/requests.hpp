@@ -21,6 +21,14 @@ void reject_selected(WindowModel& model);
 void unlink_selected(WindowModel& model);
 void start_tool(WindowModel& model, ui::Tool tool);
 void split_selected(WindowModel& model);
+/// Surveys that could not be aligned (rescue_requests.cpp): two clicks make a pair, two pairs are enough.
+void pair_stem(WindowModel& model, StemRef stem);
+void align_by_pairs(WindowModel& model);
+void forget_used_pairs(WindowModel& model);
+// Polygons drawn by clicks (shape_requests.cpp): the lasso, and where a survey looked.
+void start_shape(WindowModel& model, ui::Tool tool);
+void finish_shape(WindowModel& model, const std::vector<Eigen::Vector3d>& corners_m, bool adds);
+void estimate_coverage_again(WindowModel& model, InventoryId inventory);
 /// Runs the tool in hand (link, swap, merge) on two stems; where that cannot be, a notice says why.
 void use_tool(WindowModel& model, ui::Tool tool, StemRef from, StemRef to);
 void set_selected_fate(WindowModel& model, std::optional<Fate> fate);
@@ -59,10 +67,17 @@ void save(WindowModel& model);
 void save_as(WindowModel& model, const std::string& path);
 void export_layer(WindowModel& model, const ui::request::Export& what);
 void write_report(WindowModel& model, const ui::request::WriteReport& what);
+JobVerdict tell_written(WindowModel& model, const std::string& path, const Result<Done>& written);
 /// Runs `next` at once, or after the person has decided about unsaved changes.
 void leave_then(WindowModel& model, std::function<void()> next);
 void answer_leave(WindowModel& model, bool save_first);
 void answer_recovery(WindowModel& model, bool bring_back);
+
+// Rules, charts and sheets (result_requests.cpp).
+void choose_rules(WindowModel& model, const std::optional<RulePack>& pack);
+void read_own_rules(WindowModel& model, const std::string& path);
+void write_field_check_sheet(WindowModel& model, const ui::request::WriteFieldCheck& what);
+void save_chart(WindowModel& model, const ui::request::SaveChart& what);
 
 // Questions and choices (questions.cpp).
 void ask(WindowModel& model, ui::Question question, std::function<void()> yes, std::function<void()> no = {});

@@ -51,6 +51,7 @@ void click_stem(WindowModel& m, const render::Pick& pick) {
     use_tool(m, m.view.tool, m.view.link_from, pick.stem);
     return;
   }
+  if (m.view.tool == ui::Tool::pair) return pair_stem(m, pick.stem);
   // The stems of one tree lie over each other: the first click means the tree and what is in doubt about it, another one the stem.
   const QueueRow* doubt = m.document.derived().doubt(pick.tree);
   const bool first = pick.tree && pick.tree != m.view.selected_tree && doubt != nullptr && !doubt->decided && m.view.hidden.empty();

@@ -31,6 +31,7 @@ bool run_edit_action(WindowModel& m, ActionId action) {
     case edit_undo: m.document.undo(); return true;
     case edit_redo: m.document.redo(); return true;
     case edit_history: m.view.dialog = ui::Dialog::history; return true;
+    case edit_coverage: start_shape(m, ui::Tool::coverage); m.view.mode = ui::ViewMode::map; return true;
     case edit_make_reference: m.execute(set_reference(m.view.selected_inventory)); return true;
     case edit_remove_inventory: m.execute(remove_inventory(m.view.selected_inventory)); return true;
     case align_run: run_alignment(m); return true;
@@ -48,8 +49,10 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_mode: v.mode = v.mode == ui::ViewMode::map ? ui::ViewMode::space : ui::ViewMode::map; return true;
     case view_fit: m.viewport.fit(); return true;
     case view_focus: m.viewport.fly_to(v.selected_tree, !v.reduce_motion); return true;
-    case view_blink: toggle(v.blink); v.slide = false; return true;
-    case view_slide: toggle(v.slide); v.blink = false; return true;
+    case view_blink: toggle(v.blink); v.slide = v.before_after = false; return true;
+    case view_slide: toggle(v.slide); v.blink = v.before_after = false; return true;
+    case view_before_after: toggle(v.before_after); v.blink = v.slide = false; return true;
+    case view_ghost: toggle(v.ghost); return true;
     case view_links: toggle(v.layers.links); return true;
     case view_residuals: toggle(v.layers.residuals); return true;
     case view_coverage: toggle(v.layers.coverage); return true;
@@ -65,6 +68,7 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_zoom_out: v.zoom_percent = std::max(80.0, v.zoom_percent - 10.0); return true;
     case tool_select: v.tool = ui::Tool::select; return true;
     case tool_rectangle: v.tool = v.tool == ui::Tool::rectangle ? ui::Tool::select : ui::Tool::rectangle; return true;
+    case tool_lasso: start_shape(m, ui::Tool::lasso); return true;
     case tool_measure:
       v.tool = v.tool == ui::Tool::measure ? ui::Tool::select : ui::Tool::measure;
       m.viewport.forget_measure();
@@ -95,7 +99,8 @@ bool run_review_action(WindowModel& m, ActionId action) {
     case review_ingrowth: set_selected_fate(m, Fate::ingrowth); return true;
     case review_clear_fate: set_selected_fate(m, std::nullopt); return true;
     case export_run:
-    case export_report: m.view.step = ui::Step::report; m.view.panels.show_right = true; return true;
+    case export_report:
+    case export_field_check: m.view.step = ui::Step::report; m.view.panels.show_right = true; return true;
     default: return false;
   }
 }

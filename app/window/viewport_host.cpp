@@ -21,11 +21,6 @@ static_assert(static_cast<int>(render::ColorBy::times_seen) == static_cast<int>(
 std::vector<InventoryId> hidden_now(const Document& document, const ui::ViewState& view, double now_s) {
   std::vector<InventoryId> hidden(view.hidden.begin(), view.hidden.end());
   const std::vector<InventoryId>& placed = document.derived().tables.inventories;
-  if (view.slide && placed.size() >= 2) {
-    hidden.assign(placed.begin(), placed.end());
-    std::erase(hidden, placed[placed.size() - 2]);
-    return hidden;
-  }
   if (!view.blink || placed.size() < 2) return hidden;
   const bool first = std::fmod(now_s, 2.0 * blink_period_s) < blink_period_s;
   hidden.assign(placed.begin(), placed.end());
@@ -45,7 +40,67 @@ std::string dbh_span(const TreeRow& tree) {
   return ui::dbh_text(first) + " to " + ui::dbh_text(last) + " cm";
 }
 
+Eigen::Vector2d middle_of(const Inventory& inventory) {
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
+  for (const Stem& stem : inventory.stems) middle_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(inventory.stems.size());
+  return middle_m;
+}
+
+/// A survey as it was given: its own axes, moved only so far that its middle lies on that of the reference.
+render::Ghost as_given(const Inventory& inventory, const Inventory& reference) {
+  const Eigen::Vector2d shift_m = middle_of(reference) - middle_of(inventory);
+  return {inventory.id, RigidTransform::planar(shift_m.x(), shift_m.y(), 0.0)};
+}
+
+/// The second-best pose of the survey that is looked at.
+std::optional<render::Ghost> second_best(const ProjectState& state, const ui::ViewState& view) {
+  const auto alignment = state.alignments.find(ui::survey_to_compare(state, view));
+  if (!view.ghost || alignment == state.alignments.end()) return std::nullopt;
+  if (alignment->second.status == AlignmentStatus::probable && !state.is_placed(alignment->first)) return render::Ghost{alignment->first, alignment->second.reference_from_inventory};
+  if (!alignment->second.second_best_pose) return std::nullopt;
+  return render::Ghost{alignment->first, *alignment->second.second_best_pose};
+}
+
+/// Mirrors the project once its tables are there: tables of an earlier revision name stems and poses that may be gone by now.
+void sync(render::Viewport& viewport, const Document& document) {
+  const ui::Derived& derived = document.derived();
+  if (document.is_derived() || derived.tables.inventories.empty()) viewport.sync(document.state(), derived.tables, derived.revision);
+}
+
 }  // namespace
+
+/// Two pictures side by side: what is hidden in each, and what they are called.
+struct ViewportHost::Comparison {
+  std::vector<InventoryId> hidden_left, hidden_right;
+  std::optional<render::Ghost> ghost_left;
+  std::string left, right;
+  bool by_inventory = false;  ///< the colours that tell most
+};
+
+std::optional<ViewportHost::Comparison> ViewportHost::comparison_of(const Document& document, const ui::ViewState& view) {
+  const ProjectState& state = document.state();
+  const std::vector<InventoryId>& placed = document.derived().tables.inventories;
+  if (placed.size() < 2 || !(view.slide || view.before_after)) return std::nullopt;
+  Comparison c{placed, placed, {}, {}, {}, false};
+  if (view.slide) {
+    std::erase(c.hidden_left, placed[placed.size() - 2]);
+    std::erase(c.hidden_right, placed.back());
+    c.left = ui::survey_label(state, placed[placed.size() - 2]);
+    c.right = ui::survey_label(state, placed.back());
+    return c;
+  }
+  const InventoryId id = ui::survey_to_compare(state, view);
+  const Inventory *inventory = state.find(id), *reference = state.find(state.reference);
+  if (inventory == nullptr || reference == nullptr || id == state.reference || !state.is_placed(id)) return std::nullopt;
+  std::erase(c.hidden_left, state.reference);
+  c.hidden_right = c.hidden_left;
+  std::erase(c.hidden_right, id);
+  c.ghost_left = as_given(*inventory, *reference);
+  c.left = ui::survey_label(state, id) + " as it was given";
+  c.right = "aligned";
+  c.by_inventory = true;
+  return c;
+}
 
 void ViewportHost::update(const Document& document, const ui::ViewState& view, std::vector<render::ShownUnderlay> underlays, double now_s) {
   render::ViewOptions options;
@@ -67,24 +122,35 @@ void ViewportHost::update(const Document& document, const ui::ViewState& view, s
   options.hovered = hovered_;
   options.moving = dragging_;
   options.underlays = std::move(underlays);
+  options.ghost = second_best(document.state(), view);
+  if (view.tool == ui::Tool::pair) {
+    for (const auto& [known, other] : view.pairs) options.selected_stems.insert(options.selected_stems.end(), {known, other});
+    if (view.link_from.index >= 0) options.selected_stems.push_back(view.link_from);
+  }
+  if (view.tool != ui::Tool::lasso && view.tool != ui::Tool::coverage) shape_.forget();
+  const std::optional<Comparison> comparison = comparison_of(document, view);
+  if (comparison) {
+    options.hidden = comparison->hidden_left;
+    options.ghost = comparison->ghost_left;
+    if (comparison->by_inventory) options.color_by = render::ColorBy::inventory;
+  }
   viewport_.set_options(options);
-  // Tables of an earlier revision may speak of surveys that have no place any more: the scene waits for theirs.
-  if (document.is_derived()) viewport_.sync(document.state(), document.derived().tables, document.derived().revision);
-  update_later(document, view, options);
+  sync(viewport_, document);
+  update_later(document, options, comparison);
 }
 
-void ViewportHost::update_later(const Document& document, const ui::ViewState& view, render::ViewOptions options) {
-  const std::vector<InventoryId>& placed = document.derived().tables.inventories;
-  if (!view.slide || placed.size() < 2) {
+void ViewportHost::update_later(const Document& document, render::ViewOptions options, const std::optional<Comparison>& comparison) {
+  if (!comparison) {
     later_.reset();
     return;
   }
-  options.hidden.assign(placed.begin(), placed.end() - 1);
-  earlier_name_ = ui::survey_label(document.state(), placed[placed.size() - 2]);
-  later_name_ = ui::survey_label(document.state(), placed.back());
+  options.hidden = comparison->hidden_right;
+  options.ghost.reset();
+  earlier_name_ = comparison->left;
+  later_name_ = comparison->right;
   if (!later_) later_.emplace();
   later_->set_options(options);
-  if (document.is_derived()) later_->sync(document.state(), document.derived().tables, document.derived().revision);
+  sync(*later_, document);
 }
 
 ui::ViewportPicture ViewportHost::render(const ui::Rect& rect, double scale) {
@@ -161,6 +227,10 @@ std::optional<render::Pick> ViewportHost::pointer(const ui::request::Pointer& p,
   hovered_ = under ? under->tree : TreeId{};
   hovered_stem_ = under ? under->stem : StemRef{};
   if (!p.clicked) return std::nullopt;
+  if (view.tool == ui::Tool::lasso || view.tool == ui::Tool::coverage) {
+    shape_.click(viewport_, p.x_px, p.y_px);
+    return std::nullopt;
+  }
   if (view.tool != ui::Tool::measure) return under;
   if (const auto world = viewport_.world_at(p.x_px, p.y_px)) {
     if (measured_.size() >= 2) measured_.clear();
@@ -174,6 +244,7 @@ void ViewportHost::describe(const Document& document, const ui::ViewState& view,
   describe_click(document, view, status);
   describe_cursor(document, status);
   describe_measure(document, view, status);
+  describe_shapes(document, view, status);
   status.renderer = renderer_;
 }
 
@@ -182,6 +253,13 @@ void ViewportHost::describe_hover(const Document& document, const ui::ViewState&
   const TreeId shown = hovered_ ? hovered_ : view.selected_tree;
   const TreeRow* tree = document.derived().tree(shown);
   const auto at = tree != nullptr ? viewport_.pixels_of(shown) : std::nullopt;
+  if (!at && !hovered_ && hovered_stem_.index >= 0) {  // of a survey that is not aligned
+    const auto stem_at = viewport_.pixels_of(hovered_stem_);
+    const Stem* stem = document.state().find(hovered_stem_);
+    if (!stem_at || stem == nullptr) return;
+    const std::string dbh = stem->dbh_m ? ui::dbh_text(stem->dbh_m) + " cm" : "no DBH";
+    status.hover = ui::HoverCard{stem_at->x(), stem_at->y(), ui::stem_label(document.state(), hovered_stem_) + " · " + dbh, "not aligned", false};
+  }
   if (!at) return;
   ui::HoverCard card{at->x(), at->y(), tree_label(shown) + " · " + dbh_span(*tree), fate_label(tree->fate), false};
   const QueueRow* doubt = document.derived().doubt(shown);
@@ -226,6 +304,22 @@ void ViewportHost::describe_cursor(const Document& document, ui::WindowStatus& s
   }
   status.cursor_geographic = ui::fixed(std::abs(earth.latitude_deg), 5) + (earth.latitude_deg < 0 ? "° S   " : "° N   ") +
                              ui::fixed(std::abs(earth.longitude_deg), 5) + (earth.longitude_deg < 0 ? "° W" : "° E");
+}
+
+void ViewportHost::describe_shapes(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
+  status.shape = shape_.sides(viewport_, cursor_px_);
+  status.pair_lines.clear();
+  if (view.tool != ui::Tool::pair) return;
+  const auto place = [&](StemRef stem) {
+    const auto at = viewport_.pixels_of(stem);
+    return at ? at : viewport_.pixels_of(document.state().tree_of(stem));
+  };
+  for (const auto& [known, other] : view.pairs) {
+    const auto a = place(known), b = place(other);
+    if (a && b) status.pair_lines.push_back({a->x(), a->y(), b->x(), b->y()});
+  }
+  const auto from = view.link_from.index >= 0 ? place(view.link_from) : std::nullopt;
+  if (from && cursor_px_) status.pair_lines.push_back({from->x(), from->y(), cursor_px_->x(), cursor_px_->y()});
 }
 
 void ViewportHost::describe_measure(const Document&, const ui::ViewState& view, ui::WindowStatus& status) const {

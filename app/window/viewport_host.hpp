@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/window/document.hpp"
+#include "app/window/drawn_shape.hpp"
 #include "app/window/frame_damage.hpp"
 #include "render/viewport.hpp"
 #include "ui/requests.hpp"
@@ -28,6 +29,7 @@ class ViewportHost {
   std::optional<std::vector<TreeId>> take_selection() { return std::exchange(drawn_selection_, std::nullopt); }
   /// What the map shows, in the reference's frame; nothing before the first frame.
   std::optional<ui::MapRegion> map_region() const;
+  DrawnShape& shape() { return shape_; }
   void fit() { viewport_.fit(); }
   void forget_measure() { measured_.clear(); }
 
@@ -39,12 +41,15 @@ class ViewportHost {
 
  private:
   const render::Viewport& picture_at(double x_px, const ui::ViewState& view) const;
-  void update_later(const Document& document, const ui::ViewState& view, render::ViewOptions options);
+  struct Comparison;
+  static std::optional<Comparison> comparison_of(const Document& document, const ui::ViewState& view);
+  void update_later(const Document& document, render::ViewOptions options, const std::optional<Comparison>& comparison);
   void describe_hover(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
   void describe_click(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
   void move_camera(const ui::request::Pointer& pointer, bool space);
   void draw_box(const ui::request::Pointer& pointer);
   void describe_cursor(const Document& document, ui::WindowStatus& status) const;
+  void describe_shapes(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
   void describe_measure(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const;
 
   render::Viewport viewport_;
@@ -56,6 +61,7 @@ class ViewportHost {
   std::optional<std::vector<TreeId>> drawn_selection_;
   ui::Rect shown_;               ///< the picture, in pixels
   std::optional<Eigen::Vector2d> cursor_px_;
+  DrawnShape shape_;
   std::vector<Eigen::Vector3d> measured_;  ///< 0, 1 or 2 points in the reference's frame
   std::vector<LiveTexture> live_;
   bool dragging_ = false;

@@ -10,6 +10,7 @@
 #include "app/window/notice_list.hpp"
 #include "app/window/pending_import.hpp"
 #include "app/window/preferences.hpp"
+#include "app/window/previews.hpp"
 #include "app/window/review_walk.hpp"
 #include "app/window/underlay_host.hpp"
 #include "app/window/underlay_memory.hpp"
@@ -32,6 +33,7 @@ struct WindowModel {
   ChartHost charts;
   UnderlayHost underlays;
   UnderlayMemory underlay_memory;
+  Previews previews;
   std::vector<PendingImport> imports;              ///< in the import dialog, in the order of status.imports
   ImportMemory import_memory;
   ReviewWalk walk;                                 ///< through the queue, by N and P

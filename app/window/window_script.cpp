@@ -65,6 +65,11 @@ bool run_line(HeadlessWindow& window, std::istringstream line) {
     if (!(line >> to_x >> to_y)) return false;
     return window.drag(x, y, to_x, to_y), true;
   }
+  if (verb == "wheel") {  // X Y NOTCHES
+    float notches = 0;
+    if (!(line >> notches)) return false;
+    return window.move_to(x, y), window.wheel(notches), window.frames(2), true;
+  }
   if (verb == "click-at") return window.click_at(x, y), true;
   return false;
 }

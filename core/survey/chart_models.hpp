@@ -84,6 +84,15 @@ struct ChartBox {
   bool operator==(const ChartBox&) const = default;
 };
 
+/// One sector of a rose about the origin; angles clockwise from the +y axis.
+struct ChartPetal {
+  double from_rad = 0.0, to_rad = 0.0;
+  double radius = 0.0;         ///< in units of the axes
+  std::string label;           ///< "towards 0 to 22°: 34 stems"
+  std::vector<TreeId> trees;
+  bool operator==(const ChartPetal&) const = default;
+};
+
 struct ChartModel {
   std::string title;
   std::string note;  ///< one line below the title: "3544 stems, median 0.9 cm (0.7 to 1.1)"
@@ -93,6 +102,7 @@ struct ChartModel {
   std::vector<ChartBars> bars;
   std::vector<ChartPoints> points;
   std::vector<ChartBox> boxes;
+  std::vector<ChartPetal> petals;  ///< not empty: a rose in a square, rings instead of axes
   std::string empty_text;  ///< why there is nothing to see, and what to do; empty when there is
   bool operator==(const ChartModel&) const = default;
 };
@@ -107,6 +117,9 @@ ChartModel growth_against_dbh_chart(const ProjectState& state, const Tables& tab
 ChartModel dbh_over_time_chart(const ProjectState& state, const Tables& tables, TreeId tree);
 /// Distances between the matched stems of two surveys.
 ChartModel residual_chart(const ProjectState& state, const Tables& tables, InventoryId from, InventoryId to);
+/// Into which direction the later of two matched stems lies from the earlier one: a rose that is not round shows a shift that
+/// is left in the alignment.
+ChartModel residual_rose_chart(const ProjectState& state, const Tables& tables, InventoryId from, InventoryId to);
 /// Every chart of a project that belongs into a report, in order: classes, then growth and residuals per pair of
 /// consecutive surveys.
 std::vector<ChartModel> report_charts(const ProjectState& state, const Tables& tables);

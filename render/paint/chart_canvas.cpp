@@ -29,6 +29,10 @@ class ChartPainter {
       canvas_.paragraph(16.0, end + 8.0, width_ - 32.0, chart_.empty_text, {12.5, Weight::regular, colours_.secondary, Align::left}, true);
       return layout_;
     }
+    if (!chart_.petals.empty()) {
+      rose();
+      return layout_;
+    }
     bands();
     grid();
     clip(true);
@@ -100,6 +104,7 @@ class ChartPainter {
   void place() {
     double top = heading(false) + 6.0;
     if (std::any_of(chart_.rules.begin(), chart_.rules.end(), [](const ChartRule& rule) { return rule.is_on_x && !rule.label.empty(); })) top += 14.0;
+    if (!chart_.petals.empty()) return place_square(top);
     const std::vector<double> ticks = ticks_of(chart_.y, height_ - top - 40.0, 46.0);
     double widest = 10.0;
     for (std::size_t i = 0; i < ticks.size(); ++i) widest = std::max(widest, canvas_.text_width(tick_text(chart_.y, ticks, i), tick_style(Align::right)));
@@ -108,6 +113,41 @@ class ChartPainter {
     layout_.high_px = {width_ - 16.0, std::max(top + 20.0, height_ - bottom)};
     layout_.low = {chart_.x.low, chart_.y.low};
     layout_.high = {chart_.x.high, chart_.y.high};
+  }
+
+  /// As large as there is room for, in the middle.
+  void place_square(double top) {
+    const double side = std::max(20.0, std::min(width_ - 32.0, height_ - top - 10.0)), left = 0.5 * (width_ - side);
+    layout_.low_px = {left, top};
+    layout_.high_px = {left + side, top + side};
+    layout_.low = {chart_.x.low, chart_.y.low};
+    layout_.high = {chart_.x.high, chart_.y.high};
+  }
+
+  void rose() const {
+    cairo_t* cr = canvas_.cairo();
+    const double x = x_px(0.0), y = y_px(0.0), unit = x_px(1.0) - x;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {  // of the longest petal's count
+      canvas_.circle(x, y, unit * std::sqrt(share));
+      canvas_.stroke(colours_.line, 1.0);
+    }
+    canvas_.line(x - unit, y, x + unit, y, colours_.line, 1.0);
+    canvas_.line(x, y - unit, x, y + unit, colours_.line, 1.0);
+    for (const ChartPetal& petal : chart_.petals) {
+      if (petal.radius <= 0.0) continue;
+      const auto outline = [&] {
+        cairo_move_to(cr, x, y);
+        cairo_arc(cr, x, y, unit * petal.radius, petal.from_rad + 0.015 - 1.5707963267948966, petal.to_rad - 0.015 - 1.5707963267948966);
+        cairo_close_path(cr);
+      };
+      outline();
+      canvas_.fill(colours_.accent.with_alpha(0.62));
+      if (std::none_of(petal.trees.begin(), petal.trees.end(), [this](TreeId tree) { return selected_.contains(tree); })) continue;
+      outline();
+      canvas_.stroke(colours_.text, 1.8);
+    }
+    canvas_.text(x, y - unit - 9.0, "+y", tick_style(Align::centre));
+    canvas_.text(x + unit + 6.0, y, "+x", tick_style(Align::left));
   }
 
   void clip(bool is_on) const {
@@ -260,10 +300,28 @@ class ChartPainter {
     }
   }
 
+  /// In the line of the rules' words above the plot, where those leave room: nothing lies under it there.
+  bool band_label_above(const ChartBand& band, TextStyle words, double right, double width) const {
+    double from = layout_.low_px.x();
+    bool has_words = false;
+    for (const ChartRule& rule : chart_.rules) {
+      if (!rule.is_on_x || rule.label.empty()) continue;
+      const double half = 0.5 * canvas_.text_width(rule.label, {11.5, Weight::semibold, colours_.text, Align::centre});
+      from = std::max(from, std::clamp(x_px(rule.at), layout_.low_px.x() + half, layout_.high_px.x() - half) + half + 10.0);
+      has_words = true;
+    }
+    const double end = std::max(right, from + width);
+    if (!has_words || end > layout_.high_px.x()) return false;
+    words.halo = {0, 0, 0, 0};
+    canvas_.text(end, layout_.low_px.y() - 9.0, band.label, words);
+    return true;
+  }
+
   /// At the right edge of its band, or beside it where a rule would run through the words.
   void band_label_on_x(const ChartBand& band, TextStyle words) const {
     const double right = x_px(std::min(band.high, chart_.x.high)) - 5.0;
     const double width = canvas_.text_width(band.label, words), y = layout_.low_px.y() + 10.0;
+    if (band_label_above(band, words, right, width)) return;
     const auto crosses = [&](const ChartRule& rule) { return rule.is_on_x && x_px(rule.at) > right - width - 4.0 && x_px(rule.at) < right + 4.0; };
     const bool room_beside = right + 10.0 + width < layout_.high_px.x();
     if (!room_beside || std::none_of(chart_.rules.begin(), chart_.rules.end(), crosses)) {

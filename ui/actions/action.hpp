@@ -7,18 +7,18 @@ namespace stemwise::ui {
 
 enum class ActionId {
   file_new, file_open, file_add, file_import, file_underlay, file_demo, file_save, file_save_as, file_quit,
-  edit_undo, edit_redo, edit_history, edit_make_reference, edit_remove_inventory,
-  view_mode, view_fit, view_focus, view_blink, view_slide, view_links, view_residuals, view_coverage, view_grid, view_labels, view_underlays,
+  edit_undo, edit_redo, edit_history, edit_make_reference, edit_remove_inventory, edit_coverage,
+  view_mode, view_fit, view_focus, view_blink, view_slide, view_before_after, view_ghost, view_links, view_residuals, view_coverage, view_grid, view_labels, view_underlays,
   view_left, view_right, view_bottom, view_theme, view_reduce_motion, view_zoom_in, view_zoom_out,
   color_inventory, color_fate, color_dbh, color_growth, color_residual, color_confidence, color_times_seen,
   heat_density, heat_times_seen, heat_residual,
-  tool_select, tool_rectangle, tool_measure,
+  tool_select, tool_rectangle, tool_lasso, tool_measure,
   step_inventories, step_align, step_review, step_merge, step_report,
   align_run, align_cancel, align_accept_probable,
   review_next, review_previous, review_accept, review_reject, review_link, review_unlink,
   review_swap, review_split, review_merge,
   review_dead, review_removed, review_missed_earlier, review_ingrowth, review_clear_fate, review_region, review_clear_filters,
-  export_run, export_report,
+  export_run, export_report, export_field_check,
   help_palette, help_keys, help_about,
   count
 };

@@ -40,6 +40,11 @@ void project_reasons(Reasons& r, const Project& project, const ViewState& view, 
   const Inventory* selected = state.find(view.selected_inventory);
   r.unless(selected != nullptr, {edit_make_reference, edit_remove_inventory, align_accept_probable}, "Select an inventory in the left panel first");
   r.unless(view.selected_inventory != state.reference, {edit_make_reference}, "It is the reference already");
+  r.unless(selected != nullptr && state.is_placed(view.selected_inventory), {edit_coverage}, "Select an inventory in the left panel that has a place: the reference, or an aligned one");
+  const InventoryId compared = survey_to_compare(state, view);
+  r.unless(compared && state.is_placed(compared), {view_before_after}, "No survey was aligned to the reference yet");
+  const auto other = state.alignments.find(compared);
+  r.unless(other != state.alignments.end() && (other->second.second_best_pose || other->second.status == AlignmentStatus::probable), {view_ghost}, "No second-best pose is known of the selected survey");
   const auto it = state.alignments.find(view.selected_inventory);
   r.unless(it != state.alignments.end() && it->second.status == AlignmentStatus::probable, {align_accept_probable},
            "The selected inventory has no pose that waits for a decision");
@@ -82,11 +87,12 @@ void one_tree_reasons(Reasons& r, const ProjectState& state, const Derived& deri
 
 void tree_reasons(Reasons& r, const Project& project, const Derived& derived, const ViewState& view) {
   const ProjectState& state = project.state();
-  r.unless(!derived.tables.trees.empty(), {export_run, export_report}, "Add inventories first: there is nothing to write yet");
+  r.unless(!derived.tables.trees.empty(), {export_run, export_report, export_field_check}, "Add inventories first: there is nothing to write yet");
   r.unless(!derived.tables.queue.empty(), {review_next, review_previous}, "No tree is in doubt");
   r.unless(!derived.tables.queue.empty(), {review_region}, "The queue is empty");
   r.unless(view.queue.hides_rows() || view.only_fate, {review_clear_filters}, "The queue is not filtered");
-  r.unless(!state.trees.empty(), {tool_rectangle}, "Add inventories first");
+  r.unless(!state.trees.empty(), {tool_rectangle, tool_lasso}, "Add inventories first");
+  r.unless(!derived.tables.queue.empty(), {export_field_check}, "No tree is in doubt: there is nothing to check outside");
   if (!view.group.empty()) return group_reasons(r, derived, view);
   const auto tree = state.trees.find(view.selected_tree);
   const bool chosen = tree != state.trees.end();
@@ -102,7 +108,7 @@ Availabilities availabilities(const Project& project, const Derived& derived, co
   Reasons reasons(out);
   project_reasons(reasons, project, view, status);
   tree_reasons(reasons, project, derived, view);
-  reasons.unless(derived.tables.inventories.size() >= 2, {view_blink, view_slide}, "Comparing needs two aligned surveys");
+  reasons.unless(derived.tables.inventories.size() >= 2, {view_blink, view_slide, view_before_after}, "Comparing needs two aligned surveys");
   return out;
 }
 

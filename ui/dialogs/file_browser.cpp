@@ -89,12 +89,17 @@ void FileBrowser::draw_path(Widgets& w) {
   if (w.button("files/up", "", {.icon = icon::up, .tooltip = "The folder above"})) list(fs::path(folder_).parent_path().string());
   ImGui::SameLine();
   w.input("files/path", typed_, {.hint = "Folder or file"});
-  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) go_to_typed_path();
+  const bool edited = ImGui::IsItemDeactivatedAfterEdit();
+  std::error_code error;
+  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) {
+    go_to_typed_path();
+  } else if (edited && fs::is_directory(typed_, error)) {
+    list(typed_);  // left by Tab or the mouse
+  }
 }
 
 void FileBrowser::go_to_typed_path() {
   std::error_code error;
-  
   const fs::path path(typed_);
   if (fs::is_directory(path, error)) {
     list(path.string());

@@ -10,25 +10,27 @@
 namespace stemwise::ui {
 namespace {
 
-constexpr std::size_t line_px = 20, head_px = 32;  // the sheet fits into the smallest window
-
 void draw_key_line(Widgets& w, const Action& a) {
-  const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(line_px));
+  const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(21));
   w.text_in({row.x, row.y, row.width - w.px(96), row.height}, a.label, TextRole::table, Tone::text);
   w.text_in(row, to_string(a.chord), TextRole::table, Tone::secondary, Align::right);
   ImGui::Dummy({row.width, row.height});
   w.record(std::string("keys/") + a.name, row, to_string(a.chord));
 }
 
-/// Where the second and the third column begin: after a third of the height each, heads included.
-std::array<std::size_t, 4> column_starts() {
-  const std::size_t height = line_px * action_count + head_px * menu_count;
-  std::array<std::size_t, 4> starts{0, action_count, action_count, action_count};
-  std::size_t below = 0, column = 1;
+constexpr std::size_t key_columns = 4;
+
+/// Where the columns begin: after an equal share of the lines each, heads included.
+std::array<std::size_t, key_columns + 1> column_starts() {
+  const std::size_t lines = action_count + 2 * menu_count;
+  std::array<std::size_t, key_columns + 1> starts;
+  starts.fill(action_count);
+  starts[0] = 0;
+  std::size_t line = 0, column = 1;
   for (std::size_t i = 0; i < action_count; ++i) {
     const bool head = i == 0 || all_actions()[i].menu != all_actions()[i - 1].menu;
-    below += line_px + (head ? head_px : 0);
-    if (column < 3 && below > column * height / 3) starts[column++] = i;
+    line += head ? 3 : 1;
+    if (column < key_columns && line > column * lines / key_columns) starts[column++] = i;
   }
   return starts;
 }
@@ -37,13 +39,13 @@ std::array<std::size_t, 4> column_starts() {
 
 void draw_keys_sheet(Widgets& w, Frame& frame) {
   bool open = true;
-  const Modal modal(w, "All keys", 980.0f, 650.0f, open);
+  const Modal modal(w, "All keys", 1220.0f, 650.0f, open);
   if (!open) frame.view.dialog = Dialog::none;
   if (!modal) return;
-  const std::array<std::size_t, 4> starts = column_starts();
-  const float width = (w.available_width() - w.px(48)) / 3.0f;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  for (std::size_t c = 0; c < 3; ++c) {
+  const std::array<std::size_t, key_columns + 1> starts = column_starts();
+  const float width = (w.available_width() - w.px(24) * (key_columns - 1)) / key_columns;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, w.px(1)});
+  for (std::size_t c = 0; c < key_columns; ++c) {
     if (c > 0) ImGui::SameLine(0, w.px(24));
     ImGui::PushID(static_cast<int>(c));
     ImGui::BeginChild("column", {width, 0});

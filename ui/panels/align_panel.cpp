@@ -16,6 +16,12 @@ std::string setting(const Frame& frame, const std::string& key, const std::strin
   return it == frame.state().settings.end() ? otherwise : it->second;
 }
 
+/// Switches a view of this survey on or off.
+void toggle_for(Frame& frame, const Inventory& inventory, bool& shown) {
+  shown = !shown || frame.view.selected_inventory != inventory.id;
+  frame.view.selected_inventory = inventory.id;
+}
+
 }  // namespace
 
 void AlignPanel::draw(Widgets& w, Frame& frame) {
@@ -106,24 +112,26 @@ void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventor
   if (a.status == AlignmentStatus::probable && w.button("align/accept/" + inventory.name, "Accept this pose", {.width = -1.0f})) {
     frame.requests.emit(request::AcceptProbable{inventory.id});
   }
-  if (bad) draw_rescue(w, frame, inventory);
+  draw_looks(w, frame, inventory, a);
+  if (bad && w.fold("align/rescue/" + inventory.name, "Help it along", rescue_open_)) rescue_.draw(w, frame, inventory);
 }
 
-void AlignPanel::draw_rescue(Widgets& w, Frame& frame, const Inventory& inventory) {
-  if (!w.fold("align/rescue/" + inventory.name, "Help it along", rescue_open_)) return;
-  w.paragraph("Where does the origin of " + inventory.name + " roughly lie in the reference, and how is it turned?", TextRole::table, Tone::secondary);
-  struct Item { const char* path; const char* name; double& value; const char* format; };
-  const Item items[] = {{"align/rescue/x", "x, m", x_m_, "%.1f"}, {"align/rescue/y", "y, m", y_m_, "%.1f"},
-                        {"align/rescue/yaw", "Turned counter-clockwise, °", yaw_deg_, "%.1f"}, {"align/rescue/radius", "Known to within, m", radius_m_, "%.1f"}};
-  for (const Item& item : items) {
-    const Rect row = w.next_rect(w.available_width(), w.px(28));
-    w.text_in({row.x, row.y, row.width * 0.6f, row.height}, item.name, TextRole::table, Tone::secondary);
-    ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
-    w.number(item.path, item.value, item.format);
+/// Two looks at one alignment: as it was given and as it is now; and the second-best pose, or the one that waits for a decision.
+void AlignPanel::draw_looks(Widgets& w, Frame& frame, const Inventory& inventory, const InventoryAlignment& a) {
+  const bool aligned = a.status == AlignmentStatus::aligned, proposed = a.status == AlignmentStatus::probable;
+  const bool has_ghost = proposed || a.second_best_pose;
+  if (!aligned && !has_ghost) return;
+  w.gap(6);
+  const bool shown = frame.view.selected_inventory == inventory.id;
+  const Rect row = w.next_rect(w.available_width(), w.px(30));
+  const float half = 0.5f * (row.width - w.px(8));
+  if (aligned && w.button_in({row.x, row.y, half, row.height}, "align/before_after/" + inventory.name, "Before, after", {.active = frame.view.before_after && shown, .key = "V", .tooltip = action(ActionId::view_before_after).help})) {
+    toggle_for(frame, inventory, frame.view.before_after);
+    frame.view.slide = frame.view.blink = false;
   }
-  if (w.button("align/rescue/run", "Align with this position", {.width = -1.0f, .why_not = frame.available[static_cast<std::size_t>(ActionId::align_run)].why_not})) {
-    frame.requests.emit(request::RoughPose{inventory.id, x_m_, y_m_, yaw_deg_, radius_m_});
-  }
+  const Rect right = aligned ? Rect{row.x + half + w.px(8), row.y, half, row.height} : row;
+  const std::string hint = proposed ? "The proposed pose: the stems of " + inventory.name + " hollow on the map" : "The stems of " + inventory.name + " a second time, hollow, where they would fit next best";
+  if (has_ghost && w.button_in(right, "align/ghost/" + inventory.name, proposed ? "Show the proposed pose" : "Second best", {.active = frame.view.ghost && shown, .key = "G", .tooltip = hint})) toggle_for(frame, inventory, frame.view.ghost);
 }
 
 }  // namespace stemwise::ui

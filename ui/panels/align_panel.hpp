@@ -1,5 +1,6 @@
 #pragma once
 #include "ui/frame.hpp"
+#include "ui/panels/rescue_form.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace stemwise::ui {
@@ -14,11 +15,11 @@ class AlignPanel {
   void draw_last_run(Widgets& w, const Frame& frame);
   void draw_settings(Widgets& w, Frame& frame);
   void draw_result(Widgets& w, Frame& frame, const Inventory& inventory);
-  void draw_rescue(Widgets& w, Frame& frame, const Inventory& inventory);
+  void draw_looks(Widgets& w, Frame& frame, const Inventory& inventory, const InventoryAlignment& alignment);
 
   bool settings_open_ = false;
   bool rescue_open_ = false;
-  double x_m_ = 0.0, y_m_ = 0.0, yaw_deg_ = 0.0, radius_m_ = 10.0;
+  RescueForm rescue_;
 };
 
 }  // namespace stemwise::ui

@@ -14,8 +14,9 @@ void BottomPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
   x = draw_tab(w, frame, BottomTab::queue, "Review queue", count(open), x, y);
   x = draw_tab(w, frame, BottomTab::matches, "Matches", count(frame.tables().matches.size()), x, y);
   x = draw_tab(w, frame, BottomTab::growth, "Growth", "", x, y);
+  x = draw_tab(w, frame, BottomTab::conflicts, "Conflicts", count(frame.derived.conflicts.size()), x, y);
   x = draw_tab(w, frame, BottomTab::log, "Edit log", count(frame.state().edit_log.size()), x, y);
-  draw_tab(w, frame, BottomTab::jobs, "Jobs and notices", count(frame.status.jobs.size()), x, y);
+  draw_tab(w, frame, BottomTab::jobs, "Jobs", count(frame.status.jobs.size()), x, y);
   ImGui::SetCursorScreenPos({rect.x + w.px(8), rect.y + w.px(40)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {w.px(8), 0});
   ImGui::BeginChild("bottom_content", {rect.width - w.px(16), rect.height - w.px(42)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
@@ -23,6 +24,7 @@ void BottomPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
     case BottomTab::queue: queue_.draw(w, frame); break;
     case BottomTab::matches: matches_.draw(w, frame); break;
     case BottomTab::growth: growth_.draw(w, frame); break;
+    case BottomTab::conflicts: conflicts_.draw(w, frame); break;
     case BottomTab::log: log_.draw(w, frame); break;
     case BottomTab::jobs: jobs_.draw(w, frame); break;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include "ui/panels/conflict_table.hpp"
 #include "ui/panels/edit_log_tab.hpp"
 #include "ui/panels/growth_tab.hpp"
 #include "ui/panels/jobs_tab.hpp"
@@ -7,7 +8,7 @@
 
 namespace stemwise::ui {
 
-/// The tabs below the viewport: review queue, matches, growth, edit log, jobs.
+/// The tabs below the viewport: review queue, matches, growth, conflicts, edit log, jobs.
 class BottomPanel {
  public:
   void draw(Widgets& w, Frame& frame, const Rect& rect);
@@ -18,6 +19,7 @@ class BottomPanel {
   QueueTable queue_;
   MatchTable matches_;
   GrowthTab growth_;
+  ConflictTable conflicts_;
   EditLogTab log_;
   JobsTab jobs_;
 };

@@ -20,7 +20,7 @@ void EditLogTab::draw(Widgets& w, Frame& frame) {
   if (!log.empty()) w.input("log/filter", filter_, {.hint = "Filter by tree, author or note", .width = w.px(280)});
   TableView table;
   table.path = "log";
-  table.columns = {{"Time (UTC)", 1.2f, false}, {"Who", 0.7f, false}, {"What", 2.2f, false}, {"Before", 1.2f, false}, {"After", 1.2f, false}, {"Note", 1.2f, false}};
+  table.columns = {{"Time (UTC)", 1.9f, false}, {"Who", 0.6f, false}, {"What", 2.5f, false}, {"Before", 1.1f, false}, {"After", 1.3f, false}, {"Note", 1.1f, false}};
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) -> TableCell {
     const EditLogEntry& e = log[rows_[row]];

@@ -7,12 +7,14 @@
 #include <cmath>
 
 #include "ui/panels/chart_view.hpp"
+#include "ui/text/confidence_words.hpp"
 #include "ui/text/effect_words.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise::ui {
 namespace {
 
+constexpr double sure_from = 0.8;
 constexpr double neighbours_within_m = 3.0;
 constexpr std::size_t most_neighbours = 5;
 
@@ -97,18 +99,24 @@ void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
   const MatchRow* doubted = doubt != nullptr && doubt->match ? &frame.tables().matches[*doubt->match] : nullptr;
   if (match != nullptr) {
     const std::string state = match->state == MatchState::automatic ? "" : std::string(" · ") + to_string(match->state) + " by hand";
-    w.text("Confidence " + fixed(match->confidence, 2) + state, TextRole::strong, decided ? Tone::accent : Tone::warning);
+    const bool sure = match->confidence >= sure_from || match->state != MatchState::automatic;
+    w.text("Confidence " + fixed(match->confidence, 2) + state, TextRole::strong, sure ? Tone::accent : Tone::warning);
+    w.record_last("review/confidence", confidence_words(*match));
+    if (ImGui::IsItemHovered()) w.tooltip("How sure it is that these two stems are one tree, by their distance, their diameters and what else would fit. 1 is certain.");
+    w.paragraph(confidence_words(*match), TextRole::table, Tone::secondary);
     const std::string pair = stem_label(frame.state(), match->a) + " and " + stem_label(frame.state(), match->b);
     w.paragraph(pair, TextRole::table, Tone::text);
     w.record_last("review/pair", pair);
   }
-  std::string why = match != nullptr ? "no other tree fits; nothing speaks against it" : "seen in one survey only";
+  std::string why = match != nullptr ? "" : "seen in one survey only";
   if (doubt != nullptr) why = doubt->why;
   if (!decided && doubted != nullptr && doubted != match) {
     why = "in doubt is " + stem_label(frame.state(), doubted->a) + " and " + stem_label(frame.state(), doubted->b) + ": " + why;
   }
-  for (const std::string& flag : tree.flags) why += "; " + flag;
-  w.paragraph(why, TextRole::table, Tone::secondary);
+  for (const std::string& flag : tree.flags) why += (why.empty() ? "" : "; ") + flag;
+  if (why.empty()) return;
+  w.paragraph(why, TextRole::table, decided ? Tone::secondary : Tone::warning);
+  w.record_last("review/why", why);
 }
 
 void Inspector::draw_history(Widgets& w, Frame& frame, const TreeRow& tree) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "core/geometry/polygon.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise::ui {
@@ -24,6 +25,8 @@ void InventoryDetails::draw(Widgets& w, Frame& frame) {
   }
   draw_facts(w, *inventory);
   draw_date(w, frame, *inventory);
+  draw_coverage(w, frame, *inventory);
+  draw_dbh_error(w, frame, *inventory);
   w.section("How it was read");
   for (const std::string& note : inventory->source.notes) w.paragraph(note, TextRole::table, Tone::secondary);
   if (inventory->source.notes.empty()) w.text("No notes.", TextRole::table, Tone::secondary);
@@ -89,6 +92,39 @@ void InventoryDetails::draw_date(Widgets& w, Frame& frame, const Inventory& inve
   }
   if (!date_problem_.empty()) w.paragraph(date_problem_, TextRole::table, Tone::warning);
   if (!inventory.date && date_problem_.empty()) w.paragraph("Without a date there are no growth rates per year.", TextRole::table, Tone::secondary);
+}
+
+/// Where the survey looked: what is not there outside of it is never called missing.
+void InventoryDetails::draw_coverage(Widgets& w, Frame& frame, const Inventory& inventory) {
+  const auto it = frame.state().coverages.find(inventory.id);
+  if (it == frame.state().coverages.end()) return;
+  static constexpr const char* sources[] = {"from the outline of the stems", "from what the frames saw", "drawn by hand"};
+  const Coverage& coverage = it->second;
+  w.section("Coverage");
+  const std::string words = fixed(area_sq_m(coverage.in_inventory) / 1e4, 3) + " ha, " + sources[static_cast<std::size_t>(coverage.source)];
+  w.paragraph(words, TextRole::table, Tone::secondary);
+  w.record_last("details/coverage", words);
+  frame.view.selected_inventory = inventory.id;
+  w.action_button("details/draw_coverage", ActionId::edit_coverage, frame.available, frame.requests, {.active = frame.view.tool == Tool::coverage, .width = -1.0f});
+  if (coverage.source == CoverageSource::drawn && w.button("details/estimate_coverage", "Estimate it again", {.width = -1.0f})) frame.requests.emit(request::EstimateCoverage{inventory.id});
+}
+
+/// One measurement's error: estimated from the matched stems unless a person knows better.
+void InventoryDetails::draw_dbh_error(Widgets& w, Frame& frame, const Inventory& inventory) {
+  const auto set = frame.state().dbh_error_m.find(inventory.id);
+  const bool known = set != frame.state().dbh_error_m.end();
+  if (errors_of_ != inventory.id || errors_at_ != frame.revision) {
+    errors_of_ = inventory.id;
+    errors_at_ = frame.revision;
+    error_cm_ = known ? set->second * 100.0 : 0.0;
+  }
+  w.section("DBH error of one measurement");
+  const Rect row = w.next_rect(w.available_width(), w.px(28));
+  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "cm (0: from the matched stems)", TextRole::table, Tone::secondary);
+  ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
+  w.number("details/dbh_error", error_cm_, "%.2f");
+  if (!ImGui::IsItemDeactivatedAfterEdit() || error_cm_ < 0.0) return;
+  frame.requests.emit(request::SetDbhError{inventory.id, error_cm_ == 0.0 ? std::nullopt : std::optional(error_cm_ / 100.0)});
 }
 
 void InventoryDetails::draw_first_rows(Widgets& w, const Inventory& inventory) {

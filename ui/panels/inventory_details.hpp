@@ -11,6 +11,8 @@ class InventoryDetails {
 
  private:
   void draw_facts(Widgets& w, const Inventory& inventory);
+  void draw_coverage(Widgets& w, Frame& frame, const Inventory& inventory);
+  void draw_dbh_error(Widgets& w, Frame& frame, const Inventory& inventory);
   void draw_date(Widgets& w, Frame& frame, const Inventory& inventory);
   void draw_first_rows(Widgets& w, const Inventory& inventory);
   void count(const Inventory& inventory);
@@ -26,6 +28,9 @@ class InventoryDetails {
   std::uint64_t dated_at_ = ~0ULL;
   std::string date_;
   std::string date_problem_;
+  InventoryId errors_of_;
+  std::uint64_t errors_at_ = ~0ULL;
+  double error_cm_ = 0.0;  ///< 0: estimated
 };
 
 }  // namespace stemwise::ui

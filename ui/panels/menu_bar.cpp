@@ -21,6 +21,10 @@ bool is_on(const Frame& frame, ActionId id) {
     case ActionId::view_bottom: return v.panels.show_bottom;
     case ActionId::view_theme: return v.theme == ThemeName::dark;
     case ActionId::view_reduce_motion: return v.reduce_motion;
+    case ActionId::view_before_after: return v.before_after;
+    case ActionId::view_ghost: return v.ghost;
+    case ActionId::tool_lasso: return v.tool == Tool::lasso;
+    case ActionId::edit_coverage: return v.tool == Tool::coverage;
     case ActionId::view_slide: return v.slide;
     case ActionId::view_blink: return v.blink;
     case ActionId::tool_select: return v.tool == Tool::select;

@@ -2,10 +2,9 @@
 
 #include <imgui.h>
 
-#include <cmath>
+#include <array>
 
 #include "ui/text/format.hpp"
-#include "ui/text/georeference_words.hpp"
 
 namespace stemwise::ui {
 namespace {
@@ -15,113 +14,111 @@ struct Policy {
   const char* label;
   const char* help;
 };
-constexpr Policy policies[] = {
+constexpr std::array<Policy, 4> policies{{
     {FusionPolicy::min_dbh, "Smallest DBH", "The smallest measured DBH: careful where LiDAR tends to measure too thick."},
     {FusionPolicy::newest, "Newest", "The latest survey that measured the tree."},
     {FusionPolicy::best, "Best", "The survey with the smallest estimated error."},
     {FusionPolicy::mean, "Mean", "The mean of all surveys, weighted by their errors."},
-};
+}};
 
-void labelled_number(Widgets& w, const char* path, const char* name, double& value, const char* format) {
-  const Rect row = w.next_rect(w.available_width(), w.px(28));
-  w.text_in({row.x, row.y, row.width * 0.52f, row.height}, name, TextRole::body, Tone::secondary);
-  ImGui::SetCursorScreenPos({row.x + row.width * 0.54f, row.y});
-  w.number(path, value, format);
+std::string effect_words(const PolicyEffect& effect) {
+  if (effect.changed == 0) return "changes nothing";
+  return count_text(effect.changed) + (effect.changed == 1 ? " changes, mean " : " change, mean ") + change_text(effect.mean_change_m) + " cm";
 }
 
-/// Why there is nothing to do with what the form says; "" when there is.
-std::string problem_of(const Georeference& g, const Georeference& now) {
-  if (g.origin == Geodetic{} && g.azimuth_deg == 0.0) return "Enter where the reference's origin lies first.";
-  if (now.kind == GeoreferenceKind::anchor && g.origin == now.origin && g.azimuth_deg == now.azimuth_deg && g.sd_m == now.sd_m) return "The project lies there already.";
-  if (std::abs(g.origin.latitude_deg) > 90.0) return "A latitude lies between −90° and 90°.";
-  if (std::abs(g.origin.longitude_deg) > 180.0) return "A longitude lies between −180° and 180°.";
-  if (g.azimuth_deg < -360.0 || g.azimuth_deg > 360.0) return "An azimuth lies between 0° and 360°.";
+/// What a survey says of a tree: "24.5 cm", "Picea abies", "0.12 m away"; "" where it says nothing.
+std::string value_words(const Frame& frame, const TreeRow& tree, const ObservationRow& seen, FusedAttribute attribute) {
+  const Stem* stem = frame.state().find(seen.stem);
+  switch (attribute) {
+    case FusedAttribute::dbh: return seen.dbh_m ? dbh_text(seen.dbh_m) + " cm" : "";
+    case FusedAttribute::species: return stem != nullptr ? stem->species : "";
+    case FusedAttribute::position: return distance_text((seen.position_m - tree.position_m).head<2>().norm()) + " from the merged place";
+  }
   return "";
+}
+
+std::string merged_words(const Frame& frame, const TreeRow& tree, FusedAttribute attribute) {
+  if (attribute == FusedAttribute::dbh) return dbh_text(tree.dbh_m) + " cm" + (tree.dbh_source ? " of " + survey_label(frame.state(), tree.dbh_source) : "");
+  if (attribute == FusedAttribute::species) return tree.species.empty() ? "no species" : tree.species;
+  return "weighted mean";
 }
 
 }  // namespace
 
 void MergePanel::draw(Widgets& w, Frame& frame) {
-  if (loaded_ != frame.revision) {
-    loaded_ = frame.revision;
-    load(frame.state().georeference);
-  }
   w.text("Merge and georeference", TextRole::title);
   draw_fusion(w, frame);
-  draw_place(w, frame);
+  draw_tree(w, frame);
+  placement_.draw(w, frame);
   w.gap(12);
   if (w.button("merge/next", "Go on to report and export", {.width = -1.0f, .key = "5"})) frame.requests.run(ActionId::step_report);
 }
 
-void MergePanel::load(const Georeference& from) {
-  form_ = from;
-  kind_ = from.kind == GeoreferenceKind::crs ? 1 : 0;
-}
-
+/// Every policy with what it would do, before it is chosen.
 void MergePanel::draw_fusion(Widgets& w, Frame& frame) {
   w.section("A merged tree takes its DBH from");
-  const std::vector<std::string> labels{policies[0].label, policies[1].label, policies[2].label, policies[3].label};
-  int current = 0;
-  for (int i = 0; i < 4; ++i) {
-    if (policies[i].policy == frame.state().fusion) current = i;
+  const bool known = frame.status.fusion && frame.status.fusion->revision == frame.revision;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  for (std::size_t i = 0; i < policies.size(); ++i) {
+    const Policy& p = policies[i];
+    const bool on = frame.state().fusion == p.policy;
+    const Rect row = w.next_rect(w.available_width(), w.px(28));
+    if (on) w.fill(row, w.tokens().accent_soft, w.px(6));
+    const std::string effect = on ? "chosen" : known ? effect_words(frame.status.fusion->policies[i]) : "…";
+    if (w.area(std::string("merge/policy/") + to_string(p.policy), row, effect) && !on) frame.requests.emit(request::SetFusion{p.policy});
+    if (ImGui::IsItemHovered()) w.tooltip(std::string(p.help) + " At the right: how many merged diameters would be others, and by how much.");
+    w.text_in({row.x + w.px(8), row.y, w.px(110), row.height}, p.label, on ? TextRole::strong : TextRole::body, on ? Tone::accent : Tone::text);
+    w.text_in({row.x + w.px(118), row.y, row.width - w.px(126), row.height}, effect, TextRole::table, on ? Tone::accent : Tone::secondary, Align::right);
   }
-  if (w.combo("merge/policy", labels, current)) frame.requests.emit(request::SetFusion{policies[current].policy});
-  w.paragraph(policies[current].help, TextRole::table, Tone::secondary);
-  const auto trees = static_cast<std::int64_t>(frame.tables().trees.size());
+  ImGui::PopStyleVar();
+  w.gap(4);
+  const auto trees = static_cast<std::int64_t>(frame.tables().trees.size()), conflicts = static_cast<std::int64_t>(frame.derived.conflicts.size());
   w.paragraph(plural(trees, "merged tree", "merged trees") + "; every value names the survey that it came from.", TextRole::table, Tone::secondary);
-}
-
-void MergePanel::draw_place(Widgets& w, Frame& frame) {
-  w.section("Place on the earth");
-  const Georeference& now = frame.state().georeference;
-  const std::string state = now.kind == GeoreferenceKind::none ? "Not georeferenced: exports carry local coordinates." : "Georeferenced by " + now.method + (crs_words(now) == now.method ? "" : ": " + crs_words(now)) + ".";
-  w.paragraph(state, TextRole::table, now.kind == GeoreferenceKind::none ? Tone::secondary : Tone::accent);
-  w.record_last("merge/place", state);
-  const float half = 0.5f * (w.available_width() - w.px(8));
-  const Rect row = w.next_rect(2 * half, w.px(30));
-  if (w.button_in({row.x, row.y, half, row.height}, "merge/kind/anchor", "Anchor", {.active = kind_ == 0, .tooltip = "Position of the reference's origin, and where its y axis points"})) kind_ = 0;
-  if (w.button_in({row.x + half + w.px(8), row.y, half, row.height}, "merge/kind/crs", "Known CRS", {.active = kind_ == 1, .tooltip = "The reference's coordinates are those of a map projection already"})) kind_ = 1;
-  w.gap(6);
-  kind_ == 0 ? draw_anchor(w, frame) : draw_crs(w, frame);
-  if (now.kind != GeoreferenceKind::none && w.button("merge/clear", "Back to local coordinates", {.width = -1.0f})) frame.requests.emit(request::SetGeoreference{Georeference{}});
-}
-
-void MergePanel::draw_anchor(Widgets& w, Frame& frame) {
-  labelled_number(w, "merge/lat", "Latitude, °", form_.origin.latitude_deg, "%.8f");
-  labelled_number(w, "merge/lon", "Longitude, °", form_.origin.longitude_deg, "%.8f");
-  labelled_number(w, "merge/height", "Height above ellipsoid, m", form_.origin.height_m, "%.2f");
-  labelled_number(w, "merge/azimuth", "Azimuth of the y axis, °", form_.azimuth_deg, "%.3f");
-  labelled_number(w, "merge/sd", "Uncertainty (1 sd), m", form_.sd_m, "%.2f");
-  w.paragraph("The position of the reference's origin; the azimuth counts clockwise from true north.", TextRole::caption, Tone::secondary);
-  const std::string problem = problem_of(form_, frame.state().georeference);
-  const bool wrong = std::abs(form_.origin.latitude_deg) > 90.0 || std::abs(form_.origin.longitude_deg) > 180.0 || std::abs(form_.azimuth_deg) > 360.0;
-  if (wrong) w.paragraph(problem, TextRole::table, Tone::warning);
-  if (w.button("merge/apply", "Place the project", {.primary = true, .width = -1.0f, .why_not = problem})) {
-    Georeference g = form_;
-    g.kind = GeoreferenceKind::anchor;
-    g.epsg = 0;
-    g.method = "anchor";
-    g.residuals.clear();
-    frame.requests.emit(request::SetGeoreference{g});
+  if (conflicts > 0 && w.button("merge/conflicts", plural(conflicts, "conflict", "conflicts") + " between surveys", {.quiet = true, .tooltip = "Lists them below"})) {
+    frame.view.tab = BottomTab::conflicts;
+    frame.view.panels.show_bottom = true;
   }
 }
 
-void MergePanel::draw_crs(Widgets& w, Frame& frame) {
-  double epsg = form_.epsg;
-  labelled_number(w, "merge/epsg", "EPSG number", epsg, "%.0f");
-  form_.epsg = static_cast<int>(epsg);
-  w.paragraph("For example 25832 for ETRS89 / UTM zone 32N. Heights are kept.", TextRole::caption, Tone::secondary);
-  const std::string problem = form_.epsg >= 1024 && form_.epsg <= 32767 ? "" : "An EPSG number has four or five digits, for example 25832.";
-  const Georeference& now = frame.state().georeference;
-  const bool same = now.kind == GeoreferenceKind::crs && now.epsg == form_.epsg;
-  const std::string why_not = same ? "The project has this CRS already." : problem;
-  if (w.button("merge/apply", "Place the project", {.primary = true, .width = -1.0f, .why_not = why_not})) {
-    Georeference g;
-    g.kind = GeoreferenceKind::crs;
-    g.epsg = form_.epsg;
-    g.method = "EPSG:" + std::to_string(form_.epsg);
-    frame.requests.emit(request::SetGeoreference{g});
+/// Of the selected tree: each value from the survey that a person names, whatever the policy says.
+void MergePanel::draw_tree(Widgets& w, Frame& frame) {
+  const TreeRow* tree = frame.derived.tree(frame.view.selected_tree);
+  w.gap(4);
+  if (!w.fold("merge/tree", tree == nullptr ? "One tree by hand" : "By hand: " + tree_label(tree->tree), tree_open_)) return;
+  if (tree == nullptr) {
+    w.paragraph("Select a tree on the map or in a table to choose where its values come from.", TextRole::table, Tone::secondary);
+    return;
   }
+  if (frame.derived.sightings(tree->tree).size() < 2) {
+    w.paragraph("This tree was seen in one survey only.", TextRole::table, Tone::secondary);
+    return;
+  }
+  const auto choices = fusion_choices(frame.state());
+  const auto found = choices.find(tree->tree);
+  const FusionChoice choice = found == choices.end() ? FusionChoice{} : found->second;
+  draw_source(w, frame, *tree, FusedAttribute::dbh, choice.dbh);
+  draw_source(w, frame, *tree, FusedAttribute::position, choice.position);
+  draw_source(w, frame, *tree, FusedAttribute::species, choice.species);
+}
+
+void MergePanel::draw_source(Widgets& w, Frame& frame, const TreeRow& tree, FusedAttribute attribute, std::optional<InventoryId> chosen) {
+  static constexpr const char* names[] = {"DBH", "Position", "Species"};
+  const std::string name = names[static_cast<std::size_t>(attribute)];
+  std::vector<std::string> items{"By the policy" + (chosen ? std::string() : ": " + merged_words(frame, tree, attribute))};
+  std::vector<InventoryId> sources;
+  int current = 0;
+  for (const ObservationRow* seen : frame.derived.sightings(tree.tree)) {
+    const std::string value = value_words(frame, tree, *seen, attribute);
+    if (value.empty()) continue;
+    sources.push_back(seen->stem.inventory);
+    items.push_back(survey_label(frame.state(), seen->stem.inventory) + ": " + value);
+    if (chosen == seen->stem.inventory) current = static_cast<int>(sources.size());
+  }
+  const Rect row = w.next_rect(w.available_width(), w.px(28));
+  w.text_in({row.x, row.y, w.px(66), row.height}, name, TextRole::body, Tone::secondary);
+  ImGui::SetCursorScreenPos({row.x + w.px(70), row.y});
+  if (!w.combo(std::string("merge/source/") + to_string(attribute), items, current, row.width - w.px(70))) return;
+  frame.requests.emit(request::ChooseSource{tree.tree, attribute, current == 0 ? std::nullopt : std::optional(sources[static_cast<std::size_t>(current - 1)])});
 }
 
 }  // namespace stemwise::ui

@@ -35,7 +35,7 @@ void draw_toast(Widgets& w, Frame& frame, const Notice& notice, float right, flo
     for (std::size_t i = 0; i < lines; ++i) w.paragraph(to_string(notice.details[i]), TextRole::table, Tone::secondary);
     draw_choices(w, frame, notice, "toast");
     if (notice.details.size() > lines) {
-      const std::string more = std::to_string(notice.details.size() - lines) + " more under Jobs and notices";
+      const std::string more = std::to_string(notice.details.size() - lines) + " more under Jobs";
       if (w.button("toast/more/" + std::to_string(notice.id), more, {.quiet = true})) {
         frame.view.tab = BottomTab::jobs;
         frame.view.panels.show_bottom = true;

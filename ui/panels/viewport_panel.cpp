@@ -5,9 +5,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/alignment_words.hpp"
 #include "ui/panels/underlay_list.hpp"
+#include "ui/text/format.hpp"
 
 namespace stemwise::ui {
+
+namespace {
+
+std::string pair_words(const Frame& frame) {
+  const auto pairs = static_cast<std::int64_t>(frame.view.pairs.size());
+  const std::string done = pairs == 0 ? "" : plural(pairs, "pair", "pairs") + (pairs >= 2 ? ", enough: press Align with these pairs. " : ", one more is needed. ");
+  if (frame.view.link_from.index < 0) return done + "Click a tree of the reference, then the same one of the other survey.  Esc: stop";
+  return done + "Click the stem that is the same tree as " + stem_label(frame.state(), frame.view.link_from) + ".  Esc: stop";
+}
+
+std::string ghost_words(const Frame& frame) {
+  const auto it = frame.state().alignments.find(survey_to_compare(frame.state(), frame.view));
+  if (it == frame.state().alignments.end()) return "";
+  if (it->second.status == AlignmentStatus::probable) return "the proposed pose";
+  const std::string words = second_best_words(it->second.acceptance);
+  return "its second-best pose, " + (words.starts_with("no ") ? "which does not fit" : words);
+}
+
+/// What the tool in hand waits for; "" when there is nothing to say.
+std::string banner_words(const Frame& frame) {
+  std::string text;
+  const std::string from = stem_label(frame.state(), frame.view.link_from);
+  if (frame.view.tool == Tool::swap) text = "Click the stem that " + from + " changes places with.  Esc: never mind";
+  if (frame.view.tool == Tool::merge) text = "Click the tree that is the same as that of " + from + ".  Esc: never mind";
+  if (frame.view.tool == Tool::rectangle) text = "Drag a rectangle around trees; Ctrl adds to those selected.  Esc: stop";
+  if (frame.view.tool == Tool::link) text = "Click the stem that is the same tree as " + from + ".  Esc: never mind";
+  if (frame.view.tool == Tool::measure) text = frame.status.measure_text;
+  if (frame.view.tool == Tool::lasso) text = "Click corners around trees; Enter or the first corner ends it, Backspace takes one back.  Esc: stop";
+  if (frame.view.tool == Tool::coverage) text = "Click the corners of the ground that " + survey_label(frame.state(), frame.view.selected_inventory) + " covers; Enter ends it.  Esc: stop";
+  if (frame.view.tool == Tool::pair) text = pair_words(frame);
+  if (text.empty() && frame.view.ghost && frame.can(ActionId::view_ghost)) text = "Hollow: " + survey_label(frame.state(), survey_to_compare(frame.state(), frame.view)) + " at " + ghost_words(frame) + ".  G: hide";
+  if (frame.view.blink) text = "Blinking between surveys.  Space: stop";
+  return text;
+}
+
+}  // namespace
 
 void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
   draw_picture(w, frame, rect);
@@ -113,15 +151,13 @@ void ViewportPanel::draw_tools(Widgets& w, Frame& frame, const Rect& rect) {
                         {"viewport/measure", "Measure", ActionId::tool_measure, frame.view.tool == Tool::measure},
                         {"viewport/link", "Link", ActionId::review_link, frame.view.tool == Tool::link}};
   for (const Item& item : items) {
-    plate(w.px(76));
     const std::string& why_not = frame.available[static_cast<std::size_t>(item.id)].why_not;
     const std::string hint = std::string(action(item.id).help) + "  (" + to_string(action(item.id).chord) + ")";
-    if (w.button_in({x, y, w.px(76), height}, item.path, item.label, {.active = item.on, .why_not = why_not, .tooltip = hint})) frame.requests.run(item.id);
+    if (w.button_in({x, y, w.px(76), height}, item.path, item.label, {.active = item.on, .plate = true, .why_not = why_not, .tooltip = hint})) frame.requests.run(item.id);
     x += w.px(82);
   }
-  plate(w.px(76));
   const Rect layers{x, y, w.px(76), height};
-  if (w.button_in(layers, "viewport/layers", "Layers", {.tooltip = "What is laid over the stems"})) ImGui::OpenPopup("layers");
+  if (w.button_in(layers, "viewport/layers", "Layers", {.plate = true, .tooltip = "What is laid over the stems"})) ImGui::OpenPopup("layers");
   draw_layers(w, frame, layers);
 }
 
@@ -169,6 +205,31 @@ void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
   w.record("viewport/tree", {rect.x + static_cast<float>(card.x_px), rect.y + static_cast<float>(card.y_px), 0, 0}, card.title);
 }
 
+/// The polygon that is being drawn, and pairs of stems said to be the same.
+void ViewportPanel::draw_lines(Widgets& w, Frame& frame, const Rect& rect) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const auto at = [&](double x, double y) { return ImVec2{rect.x + static_cast<float>(x), rect.y + static_cast<float>(y)}; };
+  const auto accent = w.tokens().accent.packed();
+  for (std::size_t i = 0; i < frame.status.shape.size(); ++i) {
+    const OverlayLine& line = frame.status.shape[i];
+    const bool closes = i + 1 == frame.status.shape.size();  // not drawn yet: where it would close
+    draw->AddLine(at(line.x0_px, line.y0_px), at(line.x1_px, line.y1_px), closes ? w.tokens().accent.with_alpha(0.4f).packed() : accent, w.px(1.6f));
+    draw->AddCircleFilled(at(line.x0_px, line.y0_px), w.px(3.5f), accent);
+  }
+  for (const OverlayLine& line : frame.status.pair_lines) {
+    draw->AddLine(at(line.x0_px, line.y0_px), at(line.x1_px, line.y1_px), w.tokens().warning.packed(), w.px(2));
+    draw->AddCircleFilled(at(line.x0_px, line.y0_px), w.px(4), w.tokens().warning.packed());
+  }
+}
+
+/// Enter ends the polygon, Backspace takes its last corner back.
+void ViewportPanel::run_shape_keys(Frame& frame) {
+  if (frame.view.tool != Tool::lasso && frame.view.tool != Tool::coverage) return;
+  if (frame.view.dialog != Dialog::none || ImGui::GetIO().WantTextInput) return;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) frame.requests.emit(request::Shape{true});
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace), false)) frame.requests.emit(request::Shape{false});
+}
+
 void ViewportPanel::draw_selection_box(Widgets& w, Frame& frame, const Rect& rect) {
   if (frame.status.click_line) {
     const OverlayLine& line = *frame.status.click_line;
@@ -194,17 +255,13 @@ void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
     draw->AddCircleFilled(b, w.px(4), w.tokens().accent.packed());
   }
   draw_selection_box(w, frame, rect);
-  std::string text;
-  const std::string from = stem_label(frame.state(), frame.view.link_from);
-  if (frame.view.tool == Tool::swap) text = "Click the stem that " + from + " changes places with.  Esc: never mind";
-  if (frame.view.tool == Tool::merge) text = "Click the tree that is the same as that of " + from + ".  Esc: never mind";
-  if (frame.view.tool == Tool::rectangle) text = "Drag a rectangle around trees; Ctrl adds to those selected.  Esc: stop";
-  if (frame.view.tool == Tool::link) text = "Click the stem that is the same tree as " + from + ".  Esc: never mind";
-  if (frame.view.tool == Tool::measure) text = frame.status.measure_text;
-  if (frame.view.blink) text = "Blinking between surveys.  Space: stop";
+  draw_lines(w, frame, rect);
+  run_shape_keys(frame);
+  const std::string text = banner_words(frame);
   if (text.empty()) return;
   const float width = std::min(w.text_width(text, TextRole::body) + w.px(32), rect.width - w.px(24));
-  const Rect plate{std::round(rect.center_x() - 0.5f * width), rect.bottom() - w.px(52), width, w.px(34)};
+  Rect plate{std::round(rect.center_x() - 0.5f * width), rect.bottom() - w.px(52), width, w.px(34)};
+  if (plate.right() > rect.right() - w.px(150)) plate.y -= w.px(46);  // above the scale bar
   w.fill(plate, w.tokens().accent, w.px(12));
   w.text_in({plate.x + w.px(16), plate.y, plate.width - w.px(32), plate.height}, text, TextRole::body, Tone::on_accent, Align::center);
   w.record("viewport/banner", plate, text);

@@ -16,6 +16,8 @@ class ViewportPanel {
   void draw_tools(Widgets& w, Frame& frame, const Rect& rect);
   void draw_layers(Widgets& w, Frame& frame, const Rect& button);
   void draw_hover(Widgets& w, Frame& frame, const Rect& rect);
+  void draw_lines(Widgets& w, Frame& frame, const Rect& rect);
+  void run_shape_keys(Frame& frame);
   void draw_selection_box(Widgets& w, Frame& frame, const Rect& rect);
   void draw_banner(Widgets& w, Frame& frame, const Rect& rect);
 

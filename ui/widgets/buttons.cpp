@@ -16,7 +16,7 @@ void Widgets::draw_button(const Rect& rect, const std::string& label, const Butt
   const bool enabled = look.why_not.empty();
   const float rounding = px(6);
   if (!look.quiet) {
-    const Color base = look.primary && enabled ? t.accent : look.active ? t.accent_soft : t.canvas;
+    const Color base = look.primary && enabled ? t.accent : look.active ? t.accent_soft : look.plate ? t.panel : t.canvas;
     fill(rect, base, rounding);
     if (!look.primary || !enabled) outline(rect, look.active ? t.accent : t.line, rounding);
   }

@@ -31,10 +31,11 @@ Rect Widgets::next_rect(float width_px, float height_px) const {
   return {at.x, at.y, width_px, height_px};
 }
 
-void Widgets::record_last(const std::string& path, const std::string& value, bool enabled) {
+void Widgets::record_last(const std::string& path, const std::string& value, bool enabled, bool is_text) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   registry.record(path, {{low.x, low.y, high.x - low.x, high.y - low.y}, ImGui::IsItemVisible(), enabled, value});
+  if (enabled) focus.visit(path, is_text);
 }
 
 void Widgets::record(const std::string& path, const Rect& rect, const std::string& value, bool enabled) {
@@ -45,7 +46,10 @@ void Widgets::record(const std::string& path, const Rect& rect, const std::strin
 
 void Widgets::focus_ring(const Rect& rect) {
   if (!ImGui::IsItemFocused() || GImGui->NavDisableHighlight) return;
-  ImGui::GetWindowDrawList()->AddRect({rect.x - 2, rect.y - 2}, {rect.right() + 2, rect.bottom() + 2}, tokens().accent.packed(), px(7), 0, 2.0f);
+  const ImRect clip = ImGui::GetCurrentWindow()->ClipRect;  // a ring that is cut off looks broken: it stays inside its panel
+  const ImVec2 low{std::max(rect.x - 2, clip.Min.x + 1), std::max(rect.y - 2, clip.Min.y + 1)};
+  const ImVec2 high{std::min(rect.right() + 2, clip.Max.x - 1), std::min(rect.bottom() + 2, clip.Max.y - 1)};
+  if (high.x > low.x && high.y > low.y) ImGui::GetWindowDrawList()->AddRect(low, high, tokens().accent.packed(), px(7), 0, 2.0f);
 }
 
 bool Widgets::area(const std::string& path, const Rect& rect, const std::string& value, bool rounded) {

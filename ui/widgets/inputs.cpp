@@ -84,7 +84,7 @@ bool Widgets::input(const std::string& path, std::string& value, const InputLook
     changed = ImGui::InputTextWithHint("##text", look.hint.c_str(), &value);
   }
   ImGui::EndDisabled();
-  record_last(path, value, look.why_not.empty());
+  record_last(path, value, look.why_not.empty(), true);
   if (ImGui::IsItemActive()) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -99,7 +99,7 @@ bool Widgets::number(const std::string& path, double& value, const char* format,
   ImGui::PushID(path.c_str());
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
   const bool changed = ImGui::InputDouble("##number", &value, 0.0, 0.0, format, ImGuiInputTextFlags_AutoSelectAll);
-  record_last(path, std::to_string(value));
+  record_last(path, std::to_string(value), true, true);
   ImGui::PopID();
   return changed;
 }

@@ -7,6 +7,7 @@
 #include "ui/requests.hpp"
 #include "ui/theme/fonts.hpp"
 #include "ui/theme/style.hpp"
+#include "ui/widgets/focus_order.hpp"
 #include "ui/widgets/registry.hpp"
 
 namespace stemwise::ui {
@@ -18,6 +19,7 @@ struct ButtonLook {
   bool primary = false;      ///< the one thing to do here
   bool quiet = false;        ///< text only: no fill, no line
   bool active = false;       ///< switched on
+  bool plate = false;        ///< over the map: a plate of the panels' colour
   float width = 0.0f;        ///< px; 0: as wide as the label; negative: up to the right edge
   std::string key;           ///< stands at the right of the label
   const char* icon = nullptr;
@@ -39,6 +41,7 @@ class Widgets {
   Theme theme;
   Fonts fonts;
   WidgetRegistry registry;
+  FocusOrder focus;
 
   float px(float at_100_percent) const { return at_100_percent * theme.scale; }
   const Tokens& tokens() const { return theme.tokens(); }
@@ -94,7 +97,7 @@ class Widgets {
   float available_width() const;
   Rect next_rect(float width_px, float height_px) const;  ///< at the cursor
   /// Records the last ImGui item under the path.
-  void record_last(const std::string& path, const std::string& value, bool enabled = true);
+  void record_last(const std::string& path, const std::string& value, bool enabled = true, bool is_text = false);
   void record(const std::string& path, const Rect& rect, const std::string& value, bool enabled = true);
 
  private:

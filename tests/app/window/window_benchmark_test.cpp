@@ -140,6 +140,13 @@ TEST_F(WindowBenchmark, FrameRatesPickingSortingAndIdlenessOfTheWholeWindow) {
     const double decided_ms = longest_frame_ms([&] { model().execute(set_tree_note(doubt.tree, "seen", stamp_now())); });
     const double undone_ms = longest_frame_ms([&] { model().document.undo(); });
     const double coloured_ms = longest_frame_ms([&] { model().view.color_by = model().view.color_by == ui::ColorBy::dbh ? ui::ColorBy::growth : ui::ColorBy::dbh; });
+    const double merging_ms = longest_frame_ms([&] { model().view.step = ui::Step::merge; });
+    const double reporting_ms = longest_frame_ms([&] { model().view.step = ui::Step::report; });
+    const double charts_ms = longest_frame_ms([&] { model().view.tab = ui::BottomTab::growth; });
+    const double rose_ms = longest_frame_ms([&] { model().view.chart = ui::Chart::residual_rose; });
+    const double conflicts_ms = longest_frame_ms([&] { model().view.tab = ui::BottomTab::conflicts; });
+    std::printf("        drawing thread, longest frame: step 4 %.0f ms, step 5 %.0f ms, charts %.0f ms, rose %.0f ms, conflicts %.0f ms\n", merging_ms, reporting_ms, charts_ms, rose_ms, conflicts_ms);
+    model().view.step = ui::Step::review;
     const double opened_ms = longest_frame_ms([&] { model().document.replace(forest.state(), "", true); });
     std::printf("        drawing thread, longest frame: drawing again %.0f ms, selecting %.0f ms, deciding %.0f ms, undoing %.0f ms, another colouring %.0f ms, opening %.0f ms\n", drawn_ms, selected_ms, decided_ms, undone_ms,
                 coloured_ms, opened_ms);
