@@ -135,7 +135,7 @@ screenshot $out/16-rules-and-rose.png
 END
 # Points around the stand whose places agree to some centimetres; the last one was read wrongly.
 { echo "x_m,y_m,lat,lon,height_m"
-  awk 'BEGIN { n = split("0 0 95 5 100 90 -5 85 45 40 60 20", p, " "); for (i = 1; i < n; i += 2) { e = (i * 7 % 5 - 2) * 0.03; x = p[i]; y = p[i + 1];
+  awk 'BEGIN { n = split("-245 -5 -145 0 -142 92 -240 88 -195 45 -175 20", p, " "); for (i = 1; i < n; i += 2) { e = (i * 7 % 5 - 2) * 0.03; x = p[i]; y = p[i + 1];
     printf "%.2f,%.2f,%.8f,%.8f,%.2f\n", x, y, 48.77214 + (y + e + (i > 10 ? 14 : 0)) / 111206.0, 9.16621 + (x - e) / 73465.0, 412 } }'; } > "$table/control.csv"
 "$stemwise" gui --script "$script"
 "$stemwise" simulate -o "$table/a" --stems 400 --years 2015,2019 --seed 1 -q

@@ -49,6 +49,7 @@ struct PlacementPreview {
   std::uint64_t revision = 0;
   bool usable = false;
   Georeference georeference;
+  std::vector<Eigen::Vector3d> places_m;  ///< of the control points in the reference's frame, in the order of the residuals
   std::vector<std::string> said;   ///< the fit's quality
   std::string where;               ///< where the middle of the stems comes to lie, in words
   Issues issues;

@@ -56,6 +56,13 @@ struct OverlayLine {
   double x0_px = 0.0, y0_px = 0.0, x1_px = 0.0, y1_px = 0.0;
 };
 
+/// A place with words beside it, in the picture's pixels: a control point with its residual.
+struct OverlayMark {
+  double x_px = 0.0, y_px = 0.0;
+  std::string words;
+  bool warning = false;
+};
+
 /// Words for what the mouse is over in the viewport.
 struct HoverCard {
   double x_px = 0.0, y_px = 0.0;  ///< of the stem, in the picture
@@ -93,6 +100,7 @@ struct WindowStatus {
   std::optional<OverlayLine> measure_line;
   std::string measure_text;                 ///< what the measuring tool has to say
   std::vector<OverlayLine> shape;           ///< sides of the lasso or coverage that is being drawn; the last one goes back to its start
+  std::vector<OverlayMark> control_marks;   ///< of the placement that is worked out, in step 4
   std::vector<OverlayLine> pair_lines;      ///< between stems said to be the same tree
   std::optional<PlacementPreview> placement;
   bool placement_busy = false;              ///< another form is being worked out

@@ -246,6 +246,7 @@ Placement place_by_control_points(const GeoreferenceOptions& options, const Proj
   if (!report) return failed(std::move(issues));
   Placement placement = placed(report->georeference);
   placement.issues = std::move(issues);
+  for (const ControlPoint& point : points) placement.places_m.push_back(point.in_reference_m);
   placement.said = residual_lines(report->georeference.residuals);
   char text[160];
   std::snprintf(text, sizeof text, "%s: RMS %.2f m in the plane%s", report->georeference.method.c_str(), report->rms_m,

@@ -12,6 +12,7 @@ namespace stemwise {
 struct Placement {
   ExitCode code = ExitCode::done;
   Georeference georeference;
+  std::vector<Eigen::Vector3d> places_m;  ///< of the control points in the reference's frame, in the order of the residuals
   std::vector<std::string> said;  ///< residuals and the fit's quality, a line each
   Issues issues;
 };

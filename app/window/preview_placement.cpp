@@ -97,6 +97,7 @@ ui::PlacementPreview preview_placement(const ui::PlacementForm& form, const Proj
   const Placement placement = place_project(options_of(form, state), state, rows_of(form.way == ui::PlaceWay::control ? form.typed : std::vector<ui::TypedControl>{}));
   preview.usable = placement.code == ExitCode::done;
   preview.georeference = placement.georeference;
+  if (placement.places_m.size() == placement.georeference.residuals.size()) preview.places_m = placement.places_m;
   if (!placement.said.empty()) preview.said.push_back(placement.said.back());
   for (std::string& line : preview.said) line.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(line.front())));
   for (const Issue& issue : placement.issues) preview.issues.push_back(in_plain_words(issue));

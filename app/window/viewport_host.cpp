@@ -309,6 +309,13 @@ void ViewportHost::describe_cursor(const Document& document, ui::WindowStatus& s
 void ViewportHost::describe_shapes(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
   status.shape = shape_.sides(viewport_, cursor_px_);
   status.pair_lines.clear();
+  status.control_marks.clear();
+  const bool places = view.step == ui::Step::merge && status.placement && status.placement->form == view.placement;
+  for (std::size_t i = 0; places && i < status.placement->places_m.size(); ++i) {
+    const ControlResidual& residual = status.placement->georeference.residuals[i];
+    const Eigen::Vector2d at = viewport_.pixels_of(status.placement->places_m[i]);
+    status.control_marks.push_back({at.x(), at.y(), residual.name + ": " + ui::distance_text(residual.residual_m), !residual.used});
+  }
   if (view.tool != ui::Tool::pair) return;
   const auto place = [&](StemRef stem) {
     const auto at = viewport_.pixels_of(stem);

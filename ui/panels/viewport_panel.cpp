@@ -216,6 +216,18 @@ void ViewportPanel::draw_lines(Widgets& w, Frame& frame, const Rect& rect) {
     draw->AddLine(at(line.x0_px, line.y0_px), at(line.x1_px, line.y1_px), closes ? w.tokens().accent.with_alpha(0.4f).packed() : accent, w.px(1.6f));
     draw->AddCircleFilled(at(line.x0_px, line.y0_px), w.px(3.5f), accent);
   }
+  for (const OverlayMark& mark : frame.status.control_marks) {
+    const Tone tone = mark.warning ? Tone::warning : Tone::accent;
+    const ImVec2 c = at(mark.x_px, mark.y_px);
+    const float r = w.px(7);
+    draw->AddCircle(c, r, w.color(tone).packed(), 24, w.px(2));
+    draw->AddLine({c.x - 1.7f * r, c.y}, {c.x + 1.7f * r, c.y}, w.color(tone).packed(), w.px(1.4f));
+    draw->AddLine({c.x, c.y - 1.7f * r}, {c.x, c.y + 1.7f * r}, w.color(tone).packed(), w.px(1.4f));
+    const float width = w.text_width(mark.words, TextRole::caption) + w.px(10);
+    const Rect plate{c.x + w.px(12), c.y - w.px(24), width, w.px(18)};
+    w.fill(plate, w.tokens().panel.with_alpha(0.9f), w.px(4));
+    w.text_in(plate, mark.words, TextRole::caption, tone, Align::center);
+  }
   for (const OverlayLine& line : frame.status.pair_lines) {
     draw->AddLine(at(line.x0_px, line.y0_px), at(line.x1_px, line.y1_px), w.tokens().warning.packed(), w.px(2));
     draw->AddCircleFilled(at(line.x0_px, line.y0_px), w.px(4), w.tokens().warning.packed());

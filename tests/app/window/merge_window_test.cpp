@@ -119,6 +119,8 @@ TEST_F(MergeTest, ControlPointsShowTheirResidualsBeforeAnythingIsPlaced) {
   EXPECT_FALSE(found.residuals.back().used);
   EXPECT_GT(found.residuals.back().residual_m, 15.0);
   EXPECT_EQ(window().value("merge/residual/" + found.residuals.back().name).find("left out") == std::string::npos, false);
+  ASSERT_EQ(model().status.control_marks.size(), 6u);  // on the map too
+  EXPECT_TRUE(model().status.control_marks.back().warning);
   EXPECT_EQ(state(), before);
   ASSERT_TRUE(window().click("merge/apply"));
   window().settle();
