@@ -51,7 +51,7 @@ Result<Done> write_field_check(const ProjectState& state, const ui::request::Wri
   const FieldCheck check = make_field_check(state, derive_tables(state), static_cast<std::size_t>(what.most));
   if (what.path.ends_with(".gpx")) return write_field_check_gpx(what.path, check, state.georeference, software);
   const bool for_print = what.path.ends_with(".pdf") || what.path.ends_with(".html");
-  return write_report(what.path, make_field_check_document(check, state.title, software, for_print));
+  return write_report(what.path, make_field_check_document(check, state, software, for_print));
 }
 
 }  // namespace stemwise
