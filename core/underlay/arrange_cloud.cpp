@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/random.hpp"
 
@@ -113,22 +114,38 @@ class GroundNet {
       }
   }
 
-  /// Unknown squares take the mean of their known neighbours, ring by ring.
+  /// Unknown squares take the mean of their known neighbours, ring by ring around what is known.
   void fill() {
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> ring;
     for (std::size_t i = 0; i < height_m_.size(); ++i)
-      if (height_m_[i] == unknown) open.push_back(i);
-    while (!open.empty() && open.size() < height_m_.size()) {
-      const std::vector<double> before = height_m_;
-      std::erase_if(open, [&](std::size_t i) {
+      if (height_m_[i] != unknown) ring.push_back(i);
+    std::vector<std::uint8_t> is_met(height_m_.size(), 0);
+    while (!ring.empty()) {
+      const std::vector<std::size_t> next = unknown_around(ring, is_met);
+      std::vector<double> means;
+      for (const std::size_t i : next) {
         double sum = 0.0;
         int count = 0;
-        around(static_cast<int>(i % squares_.columns), static_cast<int>(i / squares_.columns), before, [&](double height, double) { sum += height, ++count; });
-        if (count == 0) return false;
-        height_m_[i] = sum / count;
-        return true;
-      });
+        around(static_cast<int>(i % squares_.columns), static_cast<int>(i / squares_.columns), height_m_, [&](double height, double) { sum += height, ++count; });
+        means.push_back(sum / count);
+      }
+      for (std::size_t k = 0; k < next.size(); ++k) height_m_[next[k]] = means[k];
+      ring = next;
     }
+  }
+
+  /// Each once over all calls.
+  std::vector<std::size_t> unknown_around(const std::vector<std::size_t>& ring, std::vector<std::uint8_t>& is_met) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : ring) {
+      const int column = static_cast<int>(i % squares_.columns), row = static_cast<int>(i / squares_.columns);
+      for (int r = std::max(0, row - 1); r <= std::min(squares_.rows - 1, row + 1); ++r)
+        for (int c = std::max(0, column - 1); c <= std::min(squares_.columns - 1, column + 1); ++c) {
+          const std::size_t k = squares_.at(c, r);
+          if (height_m_[k] == unknown && !std::exchange(is_met[k], std::uint8_t{1})) found.push_back(k);
+        }
+    }
+    return found;
   }
 
   /// What stands out above its neighbours is no ground.

@@ -9,7 +9,7 @@
 namespace stemwise {
 namespace {
 
-constexpr std::uint64_t records_per_read = 16'384;
+constexpr std::uint64_t bytes_per_read = 1 << 20;
 constexpr unsigned ground_class = 2, low_noise_class = 7, high_noise_class = 18;
 
 Issue issue_in(const std::string& path, std::string text, std::string help, Severity severity = Severity::error) {
@@ -55,6 +55,7 @@ class RecordReader {
 /// The number of records that were there.
 std::uint64_t read_records(std::istream& in, const LasHeader& header, CloudCollector& collector, const Progress& progress) {
   RecordReader reader(header);
+  const std::uint64_t records_per_read = bytes_per_read / header.record_bytes;  // a record has at most 65,535 bytes
   std::vector<char> bytes(records_per_read * header.record_bytes);
   in.seekg(static_cast<std::streamoff>(header.first_point_at));
   std::uint64_t done = 0;

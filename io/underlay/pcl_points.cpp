@@ -139,7 +139,7 @@ Result<CloudUnderlay> read_pcl_points(const UnderlayRequest& request, const Prog
   std::error_code code;
   const std::uint64_t file_bytes = fs::file_size(path, code);
   if (code) return Result<CloudUnderlay>::failure(error_in(path, "the file cannot be opened", "is it there, and may you read it?"));
-  const bool is_ply = path.ends_with("y") || path.ends_with("Y");  // .ply, else .pcd
+  const bool is_ply = lower_suffix(path) == ".ply";
   const auto placement = FilePlacement::of("", request);
   if (!placement) return Result<CloudUnderlay>::failure(placement.issues);
   try {

@@ -1,7 +1,5 @@
 #include "io/underlay/read_cloud_underlay.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "io/underlay/las_points.hpp"
@@ -10,8 +8,7 @@
 namespace stemwise {
 
 Result<CloudUnderlay> read_cloud_underlay(const UnderlayRequest& request, const Progress& progress) {
-  std::string suffix = std::filesystem::path(request.path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = lower_suffix(request.path);
   progress.at(0.0, "Opening " + std::filesystem::path(request.path).filename().string());
   return suffix == ".pcd" || suffix == ".ply" ? read_pcl_points(request, progress) : read_las_points(request, progress);
 }

@@ -18,6 +18,7 @@ struct UnderlayRequest {
 
 enum class UnderlayKind { raster, cloud };
 
+std::string lower_suffix(const std::string& path);  ///< ".las", also of SCAN.LAS
 /// By the file's suffix; nothing for a file that is neither.
 std::optional<UnderlayKind> underlay_kind_of(const std::string& path);
 
