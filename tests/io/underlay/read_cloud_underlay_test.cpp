@@ -162,7 +162,7 @@ TEST_F(CloudFiles, ACutOffLasGivesWhatIsThereAndSaysSo) {
   LasFile las;
   for (int i = 0; i < 10; ++i) las.add(500000.0 + i, 5400000.0, 0.0, 1, 1);
   std::vector<char> bytes = las.bytes();
-  bytes.resize(bytes.size() - 3 * 28 - 5);
+  bytes.erase(bytes.end() - (3 * 28 + 5), bytes.end());
   std::ofstream(path("a.las"), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   UnderlayRequest request = on_earth(path("a.las"));
   const auto read = read_cloud_underlay(request);
