@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/replace_file.hpp"
+
 namespace stemwise {
 namespace {
 
@@ -69,13 +71,7 @@ void ImportMemory::write() const {
   }
   std::error_code error;
   std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), error);
-  const std::string beside = path_ + ".new";
-  {
-    std::ofstream file(beside);
-    file << all.dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
-    if (!file.flush()) return;
-  }
-  std::filesystem::rename(beside, path_, error);
+  write_text_file(path_, all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");  // kept as well as it can be: only a memory
 }
 
 }  // namespace stemwise

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/replace_file.hpp"
+
 namespace stemwise {
 namespace {
 
@@ -80,13 +82,7 @@ void UnderlayMemory::write() const {
   for (const auto& [project, text] : entries_) all[project] = Json::parse(text);
   std::error_code error;
   std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), error);
-  const std::string beside = path_ + ".new";
-  {
-    std::ofstream file(beside);
-    file << all.dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
-    if (!file.flush()) return;
-  }
-  std::filesystem::rename(beside, path_, error);
+  write_text_file(path_, all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");  // kept as well as it can be: only a memory
 }
 
 }  // namespace stemwise

@@ -168,9 +168,7 @@ class Run {
   }
 
   void name_contradicted(const ListAlignment& found, std::size_t k, std::size_t on) {
-    const auto stem = [&](std::size_t inventory, std::size_t index) {
-      return inventories_[inventory]->name + " " + inventories_[inventory]->stems[index].source_id;
-    };
+    const auto stem = [&](std::size_t inventory, std::size_t index) { return inventories_[inventory]->name + " " + inventories_[inventory]->stems[index].source_id; };
     for (const auto& [in_k, in_on] : found.contradicted)
       result_.notes.push_back(inventories_[k]->name + ": " + stem(on, in_on) + " and " + stem(k, in_k) +
                               " are named as the same tree, but the other named pairs lay them metres apart: look at this pair.");
