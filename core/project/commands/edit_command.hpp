@@ -8,12 +8,14 @@
 
 namespace stemwise {
 
-/// A person's edit: `change` works through the editor, which remembers how to go back.
+/// A person's edit: `change` works through the editor, which remembers how to go back. Its label is what it writes into the
+/// edit log first, known once it was applied.
 class EditCommand final : public Command {
  public:
   using Change = std::function<void(MatchEditor&)>;
-  EditCommand(std::string label, Change change) : label_(std::move(label)), change_(std::move(change)) {}
+  explicit EditCommand(Change change) : change_(std::move(change)) {}
   void apply(ProjectState& state) override {
+    const std::size_t logged = state.edit_log.size();
     MatchEditor editor(state);
     try {
       change_(editor);
@@ -22,6 +24,7 @@ class EditCommand final : public Command {
       throw;
     }
     before_ = editor.take_before();
+    if (state.edit_log.size() > logged) label_ = state.edit_log[logged].what;
   }
   void revert(ProjectState& state) override { MatchEditor::restore(state, before_); }
   std::string label() const override { return label_; }
@@ -32,8 +35,8 @@ class EditCommand final : public Command {
   MatchEditor::Before before_;
 };
 
-inline CommandPtr edit(std::string label, EditCommand::Change change) {
-  return std::make_unique<EditCommand>(std::move(label), std::move(change));
+inline CommandPtr edit(EditCommand::Change change) {
+  return std::make_unique<EditCommand>(std::move(change));
 }
 
 /// Throws where the stem belongs to no tree yet.

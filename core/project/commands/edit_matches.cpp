@@ -17,6 +17,14 @@ std::string state_before(const ProjectState& state, StemRef a, StemRef b) {
   return match == state.matches.end() ? "no match" : to_string(match->second.state);
 }
 
+/// "Mark T-00412 as removed".
+std::string fate_edit_label(TreeId tree, std::optional<Fate> fate) {
+  if (!fate) return "Clear the fate of " + tree_label(tree);
+  std::string word = fate_label(*fate);
+  word.front() = static_cast<char>(word.front() - 'A' + 'a');
+  return "Mark " + tree_label(tree) + " as " + word;
+}
+
 /// The stems of the tree from `b` on by date: what goes with `b` when it is not the same tree as the earlier `a`.
 std::vector<StemRef> side_of_later(const ProjectState& state, const TreeRecord& tree, StemRef a, StemRef b) {
   const std::vector<InventoryId> order = state.by_date();
@@ -55,7 +63,7 @@ void link(MatchEditor& editor, StemRef a, StemRef b) {
 }  // namespace
 
 CommandPtr accept_match(StemRef a, StemRef b, EditStamp stamp) {
-  return edit("Accept match", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     if (tree_with(editor.state(), a) != tree_with(editor.state(), b)) throw std::logic_error("only a match can be accepted");
     editor.log(stamp, "Accept " + pair_label(editor.state(), a, b), state_before(editor.state(), a, b), "accepted");
     editor.set_match_state(a, b, MatchState::accepted);
@@ -64,7 +72,7 @@ CommandPtr accept_match(StemRef a, StemRef b, EditStamp stamp) {
 }
 
 CommandPtr reject_match(StemRef a, StemRef b, EditStamp stamp) {
-  return edit("Reject match", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     const ProjectState& state = editor.state();
     const TreeId tree = tree_with(state, a);
     editor.log(stamp, "Reject " + pair_label(state, a, b), state_before(state, a, b), "rejected");
@@ -79,7 +87,7 @@ CommandPtr reject_match(StemRef a, StemRef b, EditStamp stamp) {
 }
 
 CommandPtr link_stems(StemRef a, StemRef b, EditStamp stamp) {
-  return edit("Link stems", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     editor.log(stamp, "Link " + pair_label(editor.state(), a, b), state_before(editor.state(), a, b), "linked");
     link(editor, a, b);
     editor.note_edit(editor.state().tree_of(a), stamp);
@@ -87,7 +95,7 @@ CommandPtr link_stems(StemRef a, StemRef b, EditStamp stamp) {
 }
 
 CommandPtr unlink_stem(StemRef stem, EditStamp stamp) {
-  return edit("Unlink stem", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     const ProjectState& state = editor.state();
     const TreeId tree = tree_with(state, stem);
     std::vector<StemPair> apart;
@@ -102,11 +110,10 @@ CommandPtr unlink_stem(StemRef stem, EditStamp stamp) {
 }
 
 CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp) {
-  const std::string label = fate ? std::string("Mark as ") + fate_label(*fate) : "Clear fate";
-  return edit(label, [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     TreeRecord record = editor.state().trees.at(tree);
     const std::string before = record.fate_by_hand ? fate_label(*record.fate_by_hand) : "automatic";
-    editor.log(stamp, "Fate of " + tree_label(tree), before, fate ? fate_label(*fate) : "automatic");
+    editor.log(stamp, fate_edit_label(tree, fate), before, fate ? fate_label(*fate) : "automatic");
     record.fate_by_hand = fate;
     record.edited_by = stamp.author;
     editor.set_tree(tree, std::move(record));
@@ -114,7 +121,7 @@ CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp) {
 }
 
 CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp) {
-  return edit("Note on " + tree_label(tree), [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     TreeRecord record = editor.state().trees.at(tree);
     editor.log(stamp, "Note on " + tree_label(tree), record.note, note);
     record.note = note;

@@ -38,7 +38,7 @@ std::string why_not_swap(const ProjectState& state, StemRef a, StemRef b) {
 }
 
 CommandPtr swap_stems(StemRef a, StemRef b, EditStamp stamp) {
-  return edit("Swap stems", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     const ProjectState& state = editor.state();
     must(why_not_swap(state, a, b));
     const TreeId tree_a = state.tree_of(a), tree_b = state.tree_of(b);
@@ -58,7 +58,7 @@ std::string why_not_split(const ProjectState& state, StemRef first) {
 }
 
 CommandPtr split_tree(StemRef first, EditStamp stamp) {
-  return edit("Split tree", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     const ProjectState& state = editor.state();
     must(why_not_split(state, first));
     const TreeId tree = state.tree_of(first);
@@ -84,7 +84,7 @@ std::string why_not_merge(const ProjectState& state, TreeId a, TreeId b) {
 }
 
 CommandPtr merge_trees(TreeId a, TreeId b, EditStamp stamp) {
-  return edit("Merge trees", [=](MatchEditor& editor) {
+  return edit([=](MatchEditor& editor) {
     const ProjectState& state = editor.state();
     must(why_not_merge(state, a, b));
     const TreeId into = std::min(a, b), from = std::max(a, b);

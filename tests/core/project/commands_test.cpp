@@ -1,4 +1,5 @@
 #include "core/project/commands.hpp"
+#include "core/project/commands/match_editor.hpp"
 #include "core/project/regroup_commands.hpp"
 #include "core/survey/tables.hpp"
 
@@ -88,6 +89,19 @@ TEST_P(EveryCommand, AppliedRevertedAndAppliedAgainIsAppliedAndRevertingRestores
   EXPECT_EQ(state, project.state());
   command->apply(state);
   EXPECT_EQ(state, applied);
+}
+
+TEST(EditCommand, IsCalledWhatItWritesIntoTheLogWithTheStemsNames) {
+  Project project = aligned_project();
+  const StemRef a = stem_of(project, 0, 3), b = stem_of(project, 1, 3);
+  const TreeId tree = project.state().tree_of(a);
+  project.execute(accept_match(a, b, stamp));
+  EXPECT_EQ(project.undo_label(), "Accept " + stem_label(project.state(), a) + " and " + stem_label(project.state(), b));
+  EXPECT_EQ(project.undo_label(), project.state().edit_log.back().what);
+  project.execute(set_fate(tree, Fate::outside_coverage, stamp));
+  EXPECT_EQ(project.undo_label(), "Mark " + tree_label(tree) + " as outside coverage");
+  project.undo();
+  EXPECT_EQ(project.redo_label(), "Mark " + tree_label(tree) + " as outside coverage");
 }
 
 TEST_P(EveryCommand, LeavesEveryStemInExactlyOneTreeThatHoldsItOncePerInventory) {
