@@ -92,4 +92,22 @@ struct ReportPreview {
   int field_check_trees = 0;
 };
 
+enum class PrintedSheet { report, field_check };
+/// The page of the report or the field check sheet that is looked at, and how large.
+struct PageForm {
+  PrintedSheet sheet = PrintedSheet::report;
+  int page = 0;
+  int width_px = 0;                ///< 0: not shown yet
+  double area_ha = 0.0;
+  int most_trees = 0;
+  bool operator==(const PageForm&) const = default;
+};
+struct PageView {
+  PageForm form;
+  std::uint64_t revision = 0;
+  int pages = 0;
+  std::uint64_t texture = 0;       ///< first row on top
+  int width_px = 0, height_px = 0;
+};
+
 }  // namespace stemwise::ui

@@ -9,6 +9,7 @@
 #include "ui/actions/keys.hpp"
 #include "ui/dialogs/file_browser.hpp"
 #include "ui/dialogs/import_dialog.hpp"
+#include "ui/dialogs/page_preview.hpp"
 #include "ui/dialogs/palette.hpp"
 #include "ui/dialogs/small_dialogs.hpp"
 #include "ui/panels/align_panel.hpp"
@@ -232,6 +233,7 @@ void Shell::Impl::draw_dialogs(Frame& frame) {
     case Dialog::history: draw_history(widgets, frame); break;
     case Dialog::recover: draw_recovery(widgets, frame); break;
     case Dialog::leave: draw_leave(widgets, frame); break;
+    case Dialog::pages: draw_page_preview(widgets, frame); break;
     case Dialog::question: draw_question(widgets, frame); break;
     default:
       if (!files.is_open() || browsing != frame.view.dialog) start_browsing(frame);

@@ -20,7 +20,7 @@ enum class Tool { select, rectangle, lasso, measure, link, swap, merge, pair, co
 enum class Heat { none, density, times_seen, residual };
 enum class ColorBy { inventory, fate, dbh, growth, residual, confidence, times_seen };
 enum class BottomTab { queue, matches, growth, conflicts, log, jobs };
-enum class Dialog { none, open_project, add_inventories, import_inventories, import, add_underlay, save_project, export_path, report_path, field_check_path, chart_path, control_file, gnss_file, rules_file, palette, keys, about, history, recover, leave, question };
+enum class Dialog { none, open_project, add_inventories, import_inventories, import, add_underlay, save_project, export_path, report_path, field_check_path, chart_path, control_file, gnss_file, rules_file, palette, keys, about, history, recover, leave, question, pages };
 
 /// What is laid over the map and the 3D view.
 struct Layers {
@@ -101,6 +101,8 @@ struct ViewState {
   PlacementForm placement;
   ExportForm exporting;
   double report_area_ha = 0.0;     ///< 0: of the coverage
+  double most_field_checks = 100;  ///< trees on the field check sheet
+  PageForm page;                   ///< in the dialog `pages`
 };
 
 }  // namespace stemwise::ui

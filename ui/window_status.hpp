@@ -108,6 +108,7 @@ struct WindowStatus {
   std::optional<RulePreviews> rules;
   std::optional<ExportPreview> exporting;
   std::optional<ReportPreview> reporting;
+  std::optional<PageView> page;             ///< of the dialog `pages`; may be of another form for a moment
   std::string recovery_text;                ///< what autosave has left behind, empty when nothing
   std::vector<ImportFile> imports;          ///< what the import dialog is about
   std::optional<Question> question;         ///< asked while the dialog `question` is open

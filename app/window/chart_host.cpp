@@ -1,9 +1,5 @@
 #include "app/window/chart_host.hpp"
 
-#define GL_GLEXT_PROTOTYPES 1
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 #include <algorithm>
 
 namespace stemwise {
@@ -22,13 +18,6 @@ ChartModel model_of(ui::Chart chart, const ProjectState& state, const Tables& ta
 }
 
 }  // namespace
-
-ChartHost::~ChartHost() {
-  for (const ui::ChartView& view : views_) {
-    const auto texture = static_cast<GLuint>(view.texture);
-    if (texture != 0) glDeleteTextures(1, &texture);
-  }
-}
 
 std::vector<TreeId> ChartHost::show(const ui::request::ShowChart& ask, const Document& document, const ui::ViewState& view, double scale) {
   const auto index = static_cast<std::size_t>(ask.chart);
@@ -63,7 +52,12 @@ void ChartHost::paint(ui::Chart chart, const Key& key, const Document& document)
   painted.key = key;
   const render::ChartPicture picture = render::paint_chart(painted.model, key.style);
   painted.layout = picture.layout;
-  upload(views_[static_cast<std::size_t>(chart)], picture.image);
+  GlTexture& texture = textures_[static_cast<std::size_t>(chart)];
+  texture.upload(picture.image.rgba.data(), picture.image.size.width, picture.image.size.height);
+  ui::ChartView& view = views_[static_cast<std::size_t>(chart)];
+  view.texture = texture.id();
+  view.width_px = texture.width_px();
+  view.height_px = texture.height_px();
   ++pictures_painted_;
   news_ = true;
 }
@@ -73,21 +67,6 @@ Result<Done> ChartHost::write(ui::Chart chart, const std::string& path) const {
   style.scale = path.ends_with(".svg") ? 1.0 : 2.0;
   style.size = {static_cast<int>(720 * style.scale), static_cast<int>(440 * style.scale)};
   return render::write_chart(painted_[static_cast<std::size_t>(chart)].model, style, path);
-}
-
-void ChartHost::upload(ui::ChartView& view, const render::Image& image) {
-  auto texture = static_cast<GLuint>(view.texture);
-  if (texture == 0) glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.size.width, image.size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glBindTexture(GL_TEXTURE_2D, 0);
-  view.texture = texture;
-  view.width_px = image.size.width;
-  view.height_px = image.size.height;
 }
 
 }  // namespace stemwise

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/window/document.hpp"
+#include "app/window/gl_texture.hpp"
 #include "render/chart_painter.hpp"
 #include "ui/charts.hpp"
 #include "ui/requests.hpp"
@@ -14,11 +15,6 @@ namespace stemwise {
 /// Paints the charts that panels ask for into textures; paints again only when data, size, theme or selection changed.
 class ChartHost {
  public:
-  ChartHost() = default;
-  ~ChartHost();  ///< with the GL context current
-  ChartHost(const ChartHost&) = delete;
-  ChartHost& operator=(const ChartHost&) = delete;
-
   /// Needs the GL context. The trees that a click or a rectangle stands for, none without.
   std::vector<TreeId> show(const ui::request::ShowChart& ask, const Document& document, const ui::ViewState& view, double scale);
   /// The chart as it is shown now, on white: .png or .svg.
@@ -42,9 +38,9 @@ class ChartHost {
     render::ChartLayout layout;
   };
   void paint(ui::Chart chart, const Key& key, const Document& document);
-  void upload(ui::ChartView& view, const render::Image& image);
 
   std::array<Painted, ui::chart_count> painted_;
+  std::array<GlTexture, ui::chart_count> textures_;
   ui::ChartViews views_;
   std::uint64_t pictures_painted_ = 0;
   bool news_ = false;

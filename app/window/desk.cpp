@@ -247,6 +247,7 @@ const ui::WidgetRegistry& Desk::registry() const { return parts_->shell.registry
 std::vector<LiveTexture> Desk::live_textures() const {
   std::vector<LiveTexture> live = model_->viewport.live_textures();
   for (const ui::ChartView& view : model_->charts.views()) live.push_back({view.texture, model_->charts.pictures_painted(), view.width_px, view.height_px, false});
+  if (const auto [texture, version] = model_->previews.page_texture(); texture != 0) live.push_back({texture, version});
   return live;
 }
 

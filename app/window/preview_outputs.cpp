@@ -1,6 +1,6 @@
 #include "app/window/previews.hpp"
+#include "app/window/project_io.hpp"
 #include "core/survey/field_check.hpp"
-#include "core/survey/report_model.hpp"
 #include "io/crs.hpp"
 #include "io/project_layers.hpp"
 #include "io/report/document.hpp"
@@ -54,13 +54,16 @@ ui::ExportPreview preview_export(const ui::ExportForm& form, const ProjectState&
 ui::ReportPreview preview_report(double area_ha, const ProjectState& state, const Tables& tables) {
   ui::ReportPreview preview;
   preview.area_ha = area_ha;
-  ReportOptions options;
-  if (area_ha > 0.0) options.area_ha = area_ha;
-  const ReportDocument document = make_report_document(make_report_model(state, tables, options), "Stemwise");
+  const ReportDocument document = growth_report(state, tables, area_ha);
   for (const ReportFigure& figure : document.cover.figures) preview.figures.push_back({figure.label, print_number(figure.value), print_prose(figure.detail)});
   for (const ReportSection& section : document.sections) preview.sections.emplace_back(section.title, content_of(section));
   preview.field_check_trees = static_cast<int>(make_field_check(state, tables, tables.queue.size()).rows.size());
   return preview;
+}
+
+RecordedPages preview_pages(const ui::PageForm& form, const ProjectState& state, const Tables& tables) {
+  if (form.sheet == ui::PrintedSheet::report) return report_pages(growth_report(state, tables, form.area_ha));
+  return report_pages(field_check_sheet(state, tables, form.most_trees, true));
 }
 
 }  // namespace stemwise

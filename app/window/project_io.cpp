@@ -9,6 +9,11 @@
 #include "io/report/write_report.hpp"
 
 namespace stemwise {
+namespace {
+
+std::string software() { return std::string("Stemwise ") + STEMWISE_VERSION; }
+
+}  // namespace
 
 ReadSurveys make_demo(const Progress& progress) {
   SimulateSettings settings;
@@ -39,19 +44,27 @@ Result<Done> write_export(const ProjectState& state, const ui::request::Export& 
   return export_layer(state, what.path, options);
 }
 
-Result<Done> write_growth_report(const ProjectState& state, const ui::request::WriteReport& what) {
+ReportDocument growth_report(const ProjectState& state, const Tables& tables, double area_ha) {
   ReportOptions options;
-  if (what.area_ha > 0.0) options.area_ha = what.area_ha;
-  const ReportModel model = make_report_model(state, derive_tables(state), options);
-  return write_report(what.path, make_report_document(model, std::string("Stemwise ") + STEMWISE_VERSION));
+  if (area_ha > 0.0) options.area_ha = area_ha;
+  return make_report_document(make_report_model(state, tables, options), software());
+}
+
+ReportDocument field_check_sheet(const ProjectState& state, const Tables& tables, int most, bool for_print) {
+  return make_field_check_document(make_field_check(state, tables, static_cast<std::size_t>(most)), state, software(), for_print);
+}
+
+Result<Done> write_growth_report(const ProjectState& state, const ui::request::WriteReport& what) {
+  return write_report(what.path, growth_report(state, derive_tables(state), what.area_ha));
 }
 
 Result<Done> write_field_check(const ProjectState& state, const ui::request::WriteFieldCheck& what) {
-  const std::string software = std::string("Stemwise ") + STEMWISE_VERSION;
-  const FieldCheck check = make_field_check(state, derive_tables(state), static_cast<std::size_t>(what.most));
-  if (what.path.ends_with(".gpx")) return write_field_check_gpx(what.path, check, state.georeference, software);
+  const Tables tables = derive_tables(state);
+  if (what.path.ends_with(".gpx")) {
+    return write_field_check_gpx(what.path, make_field_check(state, tables, static_cast<std::size_t>(what.most)), state.georeference, software());
+  }
   const bool for_print = what.path.ends_with(".pdf") || what.path.ends_with(".html");
-  return write_report(what.path, make_field_check_document(check, state, software, for_print));
+  return write_report(what.path, field_check_sheet(state, tables, what.most, for_print));
 }
 
 }  // namespace stemwise

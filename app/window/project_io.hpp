@@ -6,6 +6,7 @@
 #include "core/jobs/progress.hpp"
 #include "core/project/project_state.hpp"
 #include "core/survey/tables.hpp"
+#include "io/report/document.hpp"
 #include "ui/requests.hpp"
 
 namespace stemwise {
@@ -26,5 +27,8 @@ Result<Done> write_export(const ProjectState& state, const ui::request::Export& 
 /// .pdf, .html, .csv, .xlsx, or waypoints as .gpx.
 Result<Done> write_field_check(const ProjectState& state, const ui::request::WriteFieldCheck& what);
 Result<Done> write_growth_report(const ProjectState& state, const ui::request::WriteReport& what);
+/// `area_ha` 0: that of the coverage.
+ReportDocument growth_report(const ProjectState& state, const Tables& tables, double area_ha);
+ReportDocument field_check_sheet(const ProjectState& state, const Tables& tables, int most, bool for_print);
 
 }  // namespace stemwise

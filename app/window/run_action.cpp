@@ -80,6 +80,12 @@ bool run_view_action(WindowModel& m, ActionId action) {
   }
 }
 
+void look_at_pages(WindowModel& m, ui::PrintedSheet sheet) {
+  m.view.page.sheet = sheet;
+  m.view.page.page = 0;
+  m.view.dialog = ui::Dialog::pages;
+}
+
 bool run_review_action(WindowModel& m, ActionId action) {
   switch (action) {
     case review_next: go_to_doubtful(m, true); return true;
@@ -98,6 +104,8 @@ bool run_review_action(WindowModel& m, ActionId action) {
     case review_missed_earlier: set_selected_fate(m, Fate::missed_earlier); return true;
     case review_ingrowth: set_selected_fate(m, Fate::ingrowth); return true;
     case review_clear_fate: set_selected_fate(m, std::nullopt); return true;
+    case export_preview_report: look_at_pages(m, ui::PrintedSheet::report); return true;
+    case export_preview_field_check: look_at_pages(m, ui::PrintedSheet::field_check); return true;
     case export_run:
     case export_report:
     case export_field_check: m.view.step = ui::Step::report; m.view.panels.show_right = true; return true;

@@ -4,6 +4,7 @@
 #include "io/report/pdf_canvas.hpp"
 #include "io/report/pdf_table.hpp"
 #include "io/report/print_text.hpp"
+#include "io/report/recorded_pages.hpp"
 #include "io/report/write_report.hpp"
 
 namespace stemwise {
@@ -29,7 +30,7 @@ const TextStyle note_style{7.5, palette::secondary, false};
 
 using Fact = std::pair<std::string, std::string>;  ///< label and text
 
-/// Lays the document out on pages. Pass 1 counts the pages (its file is thrown away with the canvas), pass 2 prints "1 of 7".
+/// Lays the document out on pages. Pass 1 counts the pages (they are thrown away with the canvas), pass 2 prints "1 of 7".
 class PdfReport {
  public:
   PdfReport(PdfCanvas& canvas, const ReportDocument& document, int pages) : canvas_(canvas), document_(document), pages_(pages) {}
@@ -225,14 +226,23 @@ class PdfReport {
   double fact_label_ = 0.0;  ///< width of the cover's labels
 };
 
+int count_pages(const ReportDocument& document) {
+  PdfCanvas counting;
+  return PdfReport(counting, document, 0).print();
+}
+
 }  // namespace
 
 std::optional<std::string> report_pdf(const ReportDocument& document) {
-  PdfCanvas counting(document.title, document.footer);
-  const int pages = PdfReport(counting, document, 0).print();
   PdfCanvas canvas(document.title, document.footer);
-  PdfReport(canvas, document, pages).print();
+  PdfReport(canvas, document, count_pages(document)).print();
   return canvas.finish();
+}
+
+RecordedPages report_pages(const ReportDocument& document) {
+  PdfCanvas canvas;
+  PdfReport(canvas, document, count_pages(document)).print();
+  return canvas.take_pages();
 }
 
 }  // namespace stemwise

@@ -11,20 +11,19 @@
 #include <numbers>
 #include <sstream>
 
+#include "io/report/recorded_surfaces.hpp"
+
 namespace stemwise {
 namespace {
 
-struct SurfaceDeleter {
-  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-};
-struct ContextDeleter {
-  void operator()(cairo_t* c) const { cairo_destroy(c); }
-};
 struct ObjectDeleter {
   void operator()(gpointer o) const { g_object_unref(o); }
 };
 struct FontDeleter {
   void operator()(PangoFontDescription* f) const { pango_font_description_free(f); }
+};
+struct FontOptionsDeleter {
+  void operator()(cairo_font_options_t* o) const { cairo_font_options_destroy(o); }
 };
 struct AttributesDeleter {
   void operator()(PangoAttrList* a) const { pango_attr_list_unref(a); }
@@ -39,6 +38,12 @@ void set_color(cairo_t* cr, const std::string& color, double opacity = 1.0) {
 
 Layout layout_of(cairo_t* cr, const std::string& text, double size_pt, bool bold) {
   Layout layout(pango_cairo_create_layout(cr));
+  PangoContext* context = pango_layout_get_context(layout.get());
+  pango_context_set_round_glyph_positions(context, FALSE);  // letters on whole points are badly spaced
+  const std::unique_ptr<cairo_font_options_t, FontOptionsDeleter> options(cairo_font_options_create());
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);  // a PDF's, whatever is drawn on
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  pango_cairo_context_set_font_options(context, options.get());
   const std::unique_ptr<PangoFontDescription, FontDeleter> font(pango_font_description_from_string("Roboto, DejaVu Sans"));
   pango_font_description_set_absolute_size(font.get(), size_pt * PANGO_SCALE);
   pango_font_description_set_weight(font.get(), bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
@@ -135,9 +140,21 @@ std::string creation_date() {
 
 struct PdfCanvas::Impl {
   std::string bytes;  ///< outlives the surface, which writes into it
-  std::unique_ptr<cairo_surface_t, SurfaceDeleter> surface;
-  std::unique_ptr<cairo_t, ContextDeleter> cr;
+  Surface surface;
+  Context cr;
+  std::unique_ptr<RecordedPages::Impl> kept;  ///< none for a PDF
+
+  void begin_kept_page() {
+    const cairo_rectangle_t page{0.0, 0.0, page_width, page_height};
+    surface.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &page));
+    cr.reset(cairo_create(surface.get()));
+  }
 };
+
+PdfCanvas::PdfCanvas() : impl_(std::make_unique<Impl>()) {
+  impl_->kept = std::make_unique<RecordedPages::Impl>();
+  impl_->begin_kept_page();
+}
 
 PdfCanvas::PdfCanvas(const std::string& title, const std::string& software) : impl_(std::make_unique<Impl>()) {
   const auto take = [](void* into, const unsigned char* bytes, unsigned count) {
@@ -154,7 +171,14 @@ PdfCanvas::PdfCanvas(const std::string& title, const std::string& software) : im
 
 PdfCanvas::~PdfCanvas() = default;
 
-void PdfCanvas::end_page() { cairo_show_page(impl_->cr.get()); }
+void PdfCanvas::end_page() {
+  if (!impl_->kept) return cairo_show_page(impl_->cr.get());
+  impl_->cr.reset();
+  impl_->kept->surfaces.push_back(std::move(impl_->surface));
+  impl_->begin_kept_page();
+}
+
+RecordedPages PdfCanvas::take_pages() { return RecordedPages(impl_->kept ? std::move(impl_->kept) : std::make_unique<RecordedPages::Impl>()); }
 
 std::optional<std::string> PdfCanvas::finish() {
   const bool drawn = cairo_status(impl_->cr.get()) == CAIRO_STATUS_SUCCESS;
@@ -221,6 +245,7 @@ void PdfCanvas::draw(const Drawing& drawing, double x, double y, double scale) {
 }
 
 void PdfCanvas::bookmark(const std::string& title, int page) {
+  if (impl_->kept) return;
   cairo_pdf_surface_add_outline(impl_->surface.get(), CAIRO_PDF_OUTLINE_ROOT, title.c_str(), ("page=" + std::to_string(page)).c_str(),
                                 CAIRO_PDF_OUTLINE_FLAG_OPEN);
 }

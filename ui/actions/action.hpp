@@ -18,14 +18,14 @@ enum class ActionId {
   review_next, review_previous, review_accept, review_reject, review_link, review_unlink,
   review_swap, review_split, review_merge,
   review_dead, review_removed, review_missed_earlier, review_ingrowth, review_clear_fate, review_region, review_clear_filters,
-  export_run, export_report, export_field_check,
+  export_run, export_report, export_preview_report, export_field_check, export_preview_field_check,
   help_palette, help_keys, help_about,
   count
 };
 inline constexpr std::size_t action_count = static_cast<std::size_t>(ActionId::count);
 
 /// Numbers of keys as GLFW has them (letters and digits are their upper-case ASCII).
-enum class Key : int { none = 0, space = 32, slash = 47, escape = 256, enter = 257, up = 265, down = 264, home = 268, f1 = 290, f2, f3, f4, f5, f6, f7, f8 };
+enum class Key : int { none = 0, space = 32, slash = 47, escape = 256, enter = 257, down = 264, up = 265, page_up = 266, page_down = 267, home = 268, f1 = 290, f2, f3, f4, f5, f6, f7, f8 };
 constexpr Key key(char c) { return static_cast<Key>(c); }
 
 struct KeyChord {

@@ -87,12 +87,12 @@ void one_tree_reasons(Reasons& r, const ProjectState& state, const Derived& deri
 
 void tree_reasons(Reasons& r, const Project& project, const Derived& derived, const ViewState& view) {
   const ProjectState& state = project.state();
-  r.unless(!derived.tables.trees.empty(), {export_run, export_report, export_field_check}, "Add inventories first: there is nothing to write yet");
+  r.unless(!derived.tables.trees.empty(), {export_run, export_report, export_preview_report, export_field_check, export_preview_field_check}, "Add inventories first: there is nothing to write yet");
   r.unless(!derived.tables.queue.empty(), {review_next, review_previous}, "No tree is in doubt");
   r.unless(!derived.tables.queue.empty(), {review_region}, "The queue is empty");
   r.unless(view.queue.hides_rows() || view.only_fate, {review_clear_filters}, "The queue is not filtered");
   r.unless(!state.trees.empty(), {tool_rectangle, tool_lasso}, "Add inventories first");
-  r.unless(!derived.tables.queue.empty(), {export_field_check}, "No tree is in doubt: there is nothing to check outside");
+  r.unless(!derived.tables.queue.empty(), {export_field_check, export_preview_field_check}, "No tree is in doubt: there is nothing to check outside");
   if (!view.group.empty()) return group_reasons(r, derived, view);
   const auto tree = state.trees.find(view.selected_tree);
   const bool chosen = tree != state.trees.end();

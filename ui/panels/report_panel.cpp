@@ -47,6 +47,7 @@ void ReportPanel::draw_report(Widgets& w, Frame& frame) {
   w.gap(6);
   const std::string& no_trees = frame.available[static_cast<std::size_t>(ActionId::export_report)].why_not;
   const std::string why_not = !no_trees.empty() ? no_trees : frame.view.report_area_ha < 0.0 ? "An area is more than 0" : "";
+  w.action_button("report/look", ActionId::export_preview_report, frame.available, frame.requests, {.width = -1.0f});
   if (w.button("report/run", "Write the report", {.width = -1.0f, .why_not = why_not})) frame.requests.emit(request::WriteReport{report_path_, frame.view.report_area_ha});
 }
 
@@ -76,8 +77,8 @@ void ReportPanel::draw_field_check(Widgets& w, Frame& frame) {
   const Rect row = w.next_rect(w.available_width(), w.px(28));
   w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "At most so many trees", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
-  w.number("check/most", most_trees_, "%.0f");
-  const int most = static_cast<int>(std::clamp(most_trees_, 1.0, 100000.0));
+  w.number("check/most", frame.view.most_field_checks, "%.0f");
+  const int most = static_cast<int>(std::clamp(frame.view.most_field_checks, 1.0, 100000.0));
   const std::optional<ReportPreview>& preview = frame.status.reporting;
   if (preview && preview->revision == frame.revision) {
     const std::string words = plural(std::min(most, preview->field_check_trees), "tree", "trees") + " of " + count_text(preview->field_check_trees) + " that are in doubt and undecided";
@@ -88,6 +89,7 @@ void ReportPanel::draw_field_check(Widgets& w, Frame& frame) {
   const bool needs_earth = suffix == ".gpx" && frame.state().georeference.kind == GeoreferenceKind::none;
   const std::string& no_doubt = frame.available[static_cast<std::size_t>(ActionId::export_field_check)].why_not;
   const std::string why_not = !no_doubt.empty() ? no_doubt : needs_earth ? "Waypoints need a place on the earth: georeference the project in step 4 first" : "";
+  w.action_button("check/look", ActionId::export_preview_field_check, frame.available, frame.requests, {.width = -1.0f});
   if (w.button("check/run", "Write the sheet", {.width = -1.0f, .why_not = why_not})) frame.requests.emit(request::WriteFieldCheck{check_path_, most});
 }
 

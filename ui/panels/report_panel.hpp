@@ -25,7 +25,6 @@ class ReportPanel {
   bool export_open_ = true, report_open_ = true, contents_open_ = false, rules_open_ = false, check_open_ = false;
   std::string report_path_, check_path_;
   std::string proposed_report_, proposed_check_;  ///< for the open project; in the fields until a person writes something else
-  double most_trees_ = 100;
 };
 
 }  // namespace stemwise::ui

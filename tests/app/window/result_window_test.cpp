@@ -82,6 +82,33 @@ TEST_F(ResultTest, TheReportSaysWhatWillBeInItForTheAreaThatIsGiven) {
   EXPECT_GT(fs::file_size(path), 5000u);
 }
 
+TEST_F(ResultTest, ThePagesOfTheReportAreLookedAtBeforeItIsWritten) {
+  open_report();
+  window().press(ui::ActionId::export_preview_report);
+  window().frames(3);
+  window().settle();
+  ASSERT_TRUE(model().status.page);
+  const int pages = model().status.page->pages;
+  ASSERT_GT(pages, 3);
+  EXPECT_EQ(window().value("pages/where"), "Page 1 of " + std::to_string(pages));
+  EXPECT_FALSE(window().has("pages/previous"));  // there is none before the first
+  window().press({ui::Key::page_down});
+  window().settle();
+  EXPECT_EQ(window().value("pages/page"), "2");
+  for (int page = 2; page < pages; ++page) ASSERT_TRUE(window().click("pages/next")) << page;
+  window().settle();
+  EXPECT_EQ(window().value("pages/page"), std::to_string(pages));
+  EXPECT_FALSE(window().has("pages/next"));
+  window().press({ui::Key::escape});
+  window().frames(2);
+  EXPECT_EQ(model().view.dialog, ui::Dialog::none);
+  window().press(ui::ActionId::export_preview_field_check);
+  window().frames(3);
+  window().settle();
+  EXPECT_EQ(model().status.page->form.sheet, ui::PrintedSheet::field_check);
+  EXPECT_EQ(window().value("pages/page"), "1");
+}
+
 TEST_F(ResultTest, TheFieldCheckSheetIsWrittenWithAsManyTreesAsItSays) {
   open_report();
   ASSERT_TRUE(window().click("report/open_export"));  // folded away: the sheet stands at the foot

@@ -19,6 +19,7 @@
 #include "core/survey/field_check.hpp"
 #include "core/survey/report_model.hpp"
 #include "io/report/field_check.hpp"
+#include "io/report/recorded_pages.hpp"
 #include "io/report/write_report.hpp"
 
 namespace stemwise {
@@ -203,6 +204,24 @@ TEST(Report, EveryFormatIsWrittenAndTheSameTwice) {
     EXPECT_GT(fs::file_size(first), 2000u);
     EXPECT_EQ(text_of(first), text_of(second)) << suffix;
   }
+}
+
+TEST(Report, ThePagesToLookAtAreThoseOfThePdf) {
+  const ReportDocument document = make_report_document(model_of(three_surveys()), "Stemwise test");
+  const std::string pdf = *report_pdf(document);
+  int pages = 0;
+  for (std::size_t at = pdf.find("/Type /Page "); at != std::string::npos; at = pdf.find("/Type /Page ", at + 1)) ++pages;
+  const RecordedPages recorded = report_pages(document);
+  ASSERT_GT(pages, 2);
+  EXPECT_EQ(recorded.count(), pages);
+  const PagePicture cover = recorded.picture(0, 600), last = recorded.picture(pages - 1, 300);
+  EXPECT_EQ(cover.height_px, 849);  // A4
+  EXPECT_EQ(last.width_px, 300);
+  ASSERT_EQ(cover.rgba.size(), 600u * 849u * 4u);
+  const auto red = [&](int x, int y) { return cover.rgba[(static_cast<std::size_t>(y) * 600 + static_cast<std::size_t>(x)) * 4]; };
+  EXPECT_LT(red(300, 3), 100);  // the bar of the accent's green along the top
+  EXPECT_EQ(red(300, 20), 255);
+  EXPECT_EQ(cover.rgba[3], 255);
 }
 
 TEST(Report, AWorkbookIsReadBackByGdalWithASheetPerTableAndNumbersAsNumbers) {
