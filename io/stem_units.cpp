@@ -147,8 +147,8 @@ class UnitDecision {
     if (auto word = told(K::x, p.first); word && metres_per(word->word) > 0.0) unit = *word;
     else if (looks_like_decimetres()) unit = {"dm", "whole numbers and an unlikely low density in metres", true};
     columns_.position_m = metres_per(unit.word);
-    columns_.notes.push_back("y: column " + table_.header[p.second]);
     note(K::x, p.first, unit);
+    columns_.notes.push_back("y: column " + table_.header[p.second]);
   }
 
   void decide_polar() {

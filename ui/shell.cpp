@@ -94,6 +94,8 @@ struct Shell::Impl {
   Dialog browsing = Dialog::none;  ///< which dialog the file browser is open for
 
   void draw_body(Frame& frame, const Layout& l);
+  void begin_side(const char* name, const Rect& rect);
+  static void end_side();
   void draw_left(Frame& frame, const Rect& rect);
   void draw_right(Frame& frame, const Rect& rect);
   void draw_splitters(Frame& frame, const Layout& l);
@@ -188,26 +190,34 @@ void Shell::Impl::draw_splitters(Frame& frame, const Layout& l) {
   if (p.show_bottom) widgets.splitter("splitter/bottom", {l.bottom.x + grip, l.bottom.y - 0.5f * grip, l.bottom.width - 2 * grip, grip}, false, p.bottom, 140, 620, true);
 }
 
+/// A side panel: 16 px of air on both sides. Its scroll bar stands in that air, so nothing changes its width when it comes.
+void Shell::Impl::begin_side(const char* name, const Rect& rect) {
+  widgets.fill(rect, widgets.tokens().panel);
+  const float grip = widgets.px(3), pad = widgets.px(13);  // the splitter's half lies beside the panel
+  const float width = rect.width - 2.0f * grip;
+  ImGui::SetCursorScreenPos({rect.x + grip, rect.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, widgets.px(12)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, widgets.px(7));
+  ImGui::SetNextWindowContentSize({width - 2.0f * pad, 0.0f});
+  ImGui::BeginChild(name, {width, rect.height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+}
+
+void Shell::Impl::end_side() {
+  ImGui::EndChild();
+  ImGui::PopStyleVar(2);
+}
+
 void Shell::Impl::draw_left(Frame& frame, const Rect& rect) {
   if (rect.width <= 0) return;
-  widgets.fill(rect, widgets.tokens().panel);
-  const float grip = widgets.px(3);
-  ImGui::SetCursorScreenPos({rect.x, rect.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {widgets.px(13), widgets.px(10)});
-  ImGui::BeginChild("left", {rect.width - grip, rect.height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  begin_side("left", rect);
   inventories.draw(widgets, frame);
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
+  end_side();
 }
 
 void Shell::Impl::draw_right(Frame& frame, const Rect& rect) {
   if (rect.width <= 0) return;
-  widgets.fill(rect, widgets.tokens().panel);
-  const float grip = widgets.px(3);
-  ImGui::SetCursorScreenPos({rect.x + grip, rect.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {widgets.px(14), widgets.px(10)});
   ImGui::PushID(static_cast<int>(frame.view.step));
-  ImGui::BeginChild("right", {rect.width - grip, rect.height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  begin_side("right", rect);
   switch (frame.view.step) {
     case Step::inventories: details.draw(widgets, frame); break;
     case Step::align: align.draw(widgets, frame); break;
@@ -215,9 +225,8 @@ void Shell::Impl::draw_right(Frame& frame, const Rect& rect) {
     case Step::merge: merge.draw(widgets, frame); break;
     case Step::report: report.draw(widgets, frame); break;
   }
-  ImGui::EndChild();
+  end_side();
   ImGui::PopID();
-  ImGui::PopStyleVar();
 }
 
 void Shell::Impl::draw_dialogs(Frame& frame) {

@@ -28,7 +28,9 @@ std::vector<InventoryId> hidden_now(const Document& document, const ui::ViewStat
   return hidden;
 }
 
-std::string dbh_span(const TreeRow& tree) {
+/// First to last DBH; of a match in doubt the two that it is about.
+std::string dbh_span(const TreeRow& tree, const MatchRow* doubted) {
+  if (doubted != nullptr && doubted->dbh_a_m && doubted->dbh_b_m) return ui::dbh_text(doubted->dbh_a_m) + " to " + ui::dbh_text(doubted->dbh_b_m) + " cm";
   std::optional<double> first, last;
   for (const auto& dbh : tree.dbh_per_inventory_m) {
     if (!dbh) continue;
@@ -261,9 +263,11 @@ void ViewportHost::describe_hover(const Document& document, const ui::ViewState&
     status.hover = ui::HoverCard{stem_at->x(), stem_at->y(), ui::stem_label(document.state(), hovered_stem_) + " · " + dbh, "not aligned", false};
   }
   if (!at) return;
-  ui::HoverCard card{at->x(), at->y(), tree_label(shown) + " · " + dbh_span(*tree), fate_label(tree->fate), false};
   const QueueRow* doubt = document.derived().doubt(shown);
-  if (doubt != nullptr && !doubt->decided) {
+  const bool open = doubt != nullptr && !doubt->decided;
+  const MatchRow* doubted = open && doubt->match ? &document.derived().tables.matches[*doubt->match] : nullptr;
+  ui::HoverCard card{at->x(), at->y(), tree_label(shown) + " · " + dbh_span(*tree, doubted), fate_label(tree->fate), false};
+  if (open) {
     card.detail = doubt->why;
     card.warning = true;
   }

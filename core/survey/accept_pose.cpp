@@ -15,8 +15,8 @@ std::string number(double value) {
 }
 
 std::string figures(const Acceptance& a) {
-  return "best " + number(a.log_likelihood_ratio) + ", second best " + number(a.second_best) + ", mirrored " + number(a.mirror) + "; at least " +
-         number(a.log_poses_tried) + " is expected of chance";
+  return "best score " + number(a.log_likelihood_ratio) + ", second best " + number(a.second_best) + ", mirrored " + number(a.mirror) + ", chance alone " +
+         number(a.log_poses_tried);
 }
 
 bool leads(const Acceptance& a, double ratio, double margin, double margin_share) {

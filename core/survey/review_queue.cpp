@@ -22,7 +22,7 @@ constexpr std::array<KindWords, doubt_kind_count> kind_words{{{"second candidate
                                                               {"residual", "Large residual"},
                                                               {"matched across a species change", "Species change"},
                                                               {"confidence", "Low confidence"},
-                                                              {"missing inside coverage", "Missing inside coverage"},
+                                                              {"dead, removed", "Missing inside coverage"},
                                                               {"at the edge", "Edge of coverage"},
                                                               {"too big to be ingrowth", "Missed earlier"},
                                                               {"", "Other"}}};
@@ -74,7 +74,7 @@ Doubt doubt_of_match(const ProjectState& state, const Tables& tables, const Matc
 
 Doubt doubt_of_tree(const TreeRow& tree) {
   Doubt doubt;
-  if (tree.fate == Fate::missing) doubt.raise(0.3, "missing inside coverage: dead, removed or overlooked?");
+  if (tree.fate == Fate::missing) doubt.raise(0.3, "dead, removed or overlooked?");
   if (tree.fate == Fate::unresolved && tree.times_seen > 0) doubt.raise(0.25, "at the edge of coverage, or without DBH");
   if (tree.fate == Fate::missed_earlier) doubt.raise(0.22, "too big to be ingrowth: missed earlier?");
   return doubt;

@@ -128,6 +128,7 @@ void FileBrowser::draw_places(Widgets& w, const std::string& home, const std::ve
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   place(home, "Home", icon::home);
   for (const std::string& path : places) {
+    if (path == home || path == "/") continue;
     const std::string label = fs::path(path).filename().string();
     place(path, label.empty() ? "/" : label.c_str(), icon::folder);
   }

@@ -79,8 +79,8 @@ void ImportSettingsPanel::draw(Widgets& w, Frame& frame, const ImportFile& file,
 }
 
 void ImportSettingsPanel::draw_general(Widgets& w, const ImportFile& file) {
-  label(w, "Name");
-  w.input("import/name", name_, {.hint = file.name});
+  const float width = label(w, "Name") - w.px(22);
+  w.input("import/name", name_, {.hint = file.name, .width = width});
   if (ImGui::IsItemDeactivatedAfterEdit()) wanted_.name = name_;
   draw_date(w, file);
   if (!file.header.empty()) draw_system(w, file);
@@ -88,8 +88,8 @@ void ImportSettingsPanel::draw_general(Widgets& w, const ImportFile& file) {
 }
 
 void ImportSettingsPanel::draw_date(Widgets& w, const ImportFile& file) {
-  label(w, "Date");
-  w.input("import/date", date_, {.hint = "not known; write 2023-05-04"});
+  const float width = label(w, "Date") - w.px(22);
+  w.input("import/date", date_, {.hint = "not known; write 2023-05-04", .width = width});
   const bool done = ImGui::IsItemDeactivatedAfterEdit();
   if (ImGui::IsItemHovered()) w.tooltip("When it was surveyed: growth per year needs it. Empty: as the file or its name says.");
   const std::optional<Date> date = parse_date(date_);
@@ -105,8 +105,8 @@ void ImportSettingsPanel::draw_system(Widgets& w, const ImportFile& file) {
   std::string why_not;
   if (!plain) why_not = file.column("lon") != nullptr ? "Longitude and latitude are projected to their UTM zone" : "Azimuth and distance count from the plot's centre";
   if (plain && from_file) why_not = "The file says it: " + file.system;
-  label(w, "Coordinates");
-  w.input("import/epsg", epsg_, {.hint = "local, or an EPSG code", .why_not = why_not});
+  const float width = label(w, "Coordinates") - w.px(22);
+  w.input("import/epsg", epsg_, {.hint = "local, or an EPSG code", .width = width, .why_not = why_not});
   const bool done = ImGui::IsItemDeactivatedAfterEdit();
   if (why_not.empty() && ImGui::IsItemHovered()) w.tooltip("The EPSG code of x and y, for example 25832; empty for local coordinates. Alignment needs none.");
   if (done) {
@@ -118,7 +118,7 @@ void ImportSettingsPanel::draw_system(Widgets& w, const ImportFile& file) {
 
 void ImportSettingsPanel::draw_part(Widgets& w, const ImportFile& file) {
   if (file.sheets.size() > 1) {
-    const float width = label(w, "Sheet");
+    const float width = label(w, "Sheet") - w.px(22);
     int at = place_in(file.sheets, file.sheet);
     if (w.combo("import/sheet", file.sheets, at, width)) {
       wanted_ = ImportSettings{.name = wanted_.name, .sheet = file.sheets[static_cast<std::size_t>(at)], .date = wanted_.date, .epsg = wanted_.epsg};
@@ -127,7 +127,7 @@ void ImportSettingsPanel::draw_part(Widgets& w, const ImportFile& file) {
   if (file.plot_columns.empty() || file.plots.empty()) return;
   std::vector<std::string> plots{"all plots"};
   plots.insert(plots.end(), file.plots.begin(), file.plots.end());
-  const float width = label(w, "Plot");
+  const float width = label(w, "Plot") - w.px(22);
   int plot = file.settings.plot.empty() ? 0 : place_in(plots, file.settings.plot);
   if (w.combo("import/plot", plots, plot, width)) {
     wanted_.plot = plot == 0 ? "" : plots[static_cast<std::size_t>(plot)];
@@ -146,7 +146,7 @@ void ImportSettingsPanel::draw_scheme(Widgets& w, const ImportFile& file) {
     if (file.column(schemes[i].kinds[0]) != nullptr) recognised = static_cast<int>(i);
   }
   int at = scheme_.value_or(recognised);
-  const float width = label(w, "Position by");
+  const float width = label(w, "Position by") - w.px(22);
   if (w.combo("import/scheme", {schemes[0].label, schemes[1].label, schemes[2].label}, at, width)) scheme_ = at;
   const Scheme& scheme = schemes[static_cast<std::size_t>(at)];
   for (std::size_t i = 0; i < 2; ++i) {

@@ -4,15 +4,17 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stemwise::ui {
 
-Modal::Modal(Widgets& w, const char* title, float width, float height, bool& open) {
+Modal::Modal(Widgets& w, const char* title, float width, float height, bool& open, Place place) {
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(w.px(width), screen.x - w.px(32)), height > 0.0f ? std::min(w.px(height), screen.y - w.px(32)) : 0.0f};
   const float middle = std::max(0.46f * screen.y, 0.5f * size.y + w.px(8));  // a tall one does not leave the window at its top
-  ImGui::SetNextWindowPos({0.5f * screen.x, middle}, ImGuiCond_Always, {0.5f, 0.5f});
+  const bool hangs = place == Place::top;
+  ImGui::SetNextWindowPos({0.5f * screen.x, hangs ? std::round(0.14f * screen.y) : middle}, ImGuiCond_Always, {0.5f, hangs ? 0.0f : 0.5f});
   ImGui::SetNextWindowSize(size, ImGuiCond_Always);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {w.px(20), w.px(16)});
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;

@@ -53,7 +53,8 @@ void Palette::run(Frame& frame, const Hit& hit) {
 
 void Palette::draw(Widgets& w, Frame& frame) {
   bool open = true;
-  const Modal modal(w, "Search or run a command", 560.0f, 460.0f, open);
+  const float rows = static_cast<float>(std::max<std::size_t>(shown_, 1));
+  const Modal modal(w, "Search or run a command", 560.0f, std::min(460.0f, 104.0f + 30.0f * rows), open, Modal::Place::top);
   if (!modal) return;
   if (fresh_) {
     query_.clear();
@@ -63,6 +64,7 @@ void Palette::draw(Widgets& w, Frame& frame) {
   }
   if (w.input("palette/query", query_, {.hint = "An action, or a tree's number"})) at_ = 0;
   const std::vector<Hit> found = hits(frame);
+  shown_ = found.size();
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) at_ = std::min(at_ + 1, found.empty() ? 0 : found.size() - 1);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) && at_ > 0) --at_;
   ImGui::BeginChild("hits", {0, 0});

@@ -23,6 +23,7 @@ class Palette {
 
   std::string query_;
   std::size_t at_ = 0;
+  std::size_t shown_ = 1;  ///< hits of the last frame: the dialog is as high as they need
   bool fresh_ = true;
 };
 

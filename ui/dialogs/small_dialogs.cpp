@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "ui/dialogs/modal.hpp"
@@ -12,7 +13,8 @@ namespace {
 
 void draw_key_line(Widgets& w, const Action& a) {
   const Rect row = w.next_rect(w.available_width() - w.px(8), w.px(21));
-  w.text_in({row.x, row.y, row.width - w.px(96), row.height}, a.label, TextRole::table, Tone::text);
+  const float key_width = w.text_width(to_string(a.chord), TextRole::table) + 1.0f;
+  w.text_in({row.x, row.y, row.width - key_width - w.px(8), row.height}, a.label, TextRole::table, Tone::text);
   w.text_in(row, to_string(a.chord), TextRole::table, Tone::secondary, Align::right);
   ImGui::Dummy({row.width, row.height});
   w.record(std::string("keys/") + a.name, row, to_string(a.chord));
@@ -76,10 +78,11 @@ void draw_about(Widgets& w, Frame& frame) {
 
 void draw_history(Widgets& w, Frame& frame) {
   bool open = true;
-  const Modal modal(w, "Undo history", 480.0f, 480.0f, open);
+  const std::vector<std::string> labels = frame.project.history_labels();
+  const float height = std::min(78.0f + 28.0f * static_cast<float>(labels.size() + 1), 560.0f);  // as high as the list, up to a limit
+  const Modal modal(w, "Undo history", 480.0f, height, open);
   if (!open) frame.view.dialog = Dialog::none;
   if (!modal) return;
-  const std::vector<std::string> labels = frame.project.history_labels();
   const std::size_t now = frame.project.history_position();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::BeginChild("entries", {0, 0});

@@ -99,7 +99,7 @@ void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventor
   if (reference || it == state.alignments.end()) return;
   const InventoryAlignment& a = it->second;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  if (!a.reason.empty()) w.paragraph(a.reason, TextRole::table, Tone::warning);
+  if (!a.reason.empty()) w.paragraph(sentence(a.reason), TextRole::table, Tone::warning);
   if (a.status == AlignmentStatus::aligned || a.status == AlignmentStatus::probable) {
     w.fact("align/overlap/" + inventory.name, "Overlap", percent_text(a.overlap, 1), "Matched stems over all stems that both surveys should have seen.");
     w.fact("align/matched/" + inventory.name, "Matched stems", count_text(a.matched));

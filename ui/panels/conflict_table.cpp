@@ -39,10 +39,7 @@ void ConflictTable::draw(Widgets& w, Frame& frame) {
   filter(frame);
   const std::vector<FusionConflict>& all = frame.derived.conflicts;
   if (!all.empty()) {
-    w.input("conflicts/filter", text_, {.hint = "Filter by tree, attribute or value", .width = w.px(280)});
-    ImGui::SameLine(0, w.px(16));
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + w.px(5));
-    w.text("The value that is kept can be chosen per tree in step 4", TextRole::table, Tone::secondary);
+    draw_filter(w, "conflicts/filter", text_, "Filter by tree, attribute or value", "The value that is kept can be chosen per tree in step 4");
   }
   TableView table;
   table.path = "conflicts";

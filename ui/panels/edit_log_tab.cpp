@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/panels/table_view.hpp"
+#include "ui/text/format.hpp"
 
 namespace stemwise::ui {
 
@@ -17,16 +18,16 @@ void EditLogTab::draw(Widgets& w, Frame& frame) {
       if ((e.what + e.author + e.note + e.before + e.after).find(filter_) != std::string::npos) rows_.push_back(i);
     }
   }
-  if (!log.empty()) w.input("log/filter", filter_, {.hint = "Filter by tree, author or note", .width = w.px(280)});
+  if (!log.empty()) draw_filter(w, "log/filter", filter_, "Filter by tree, author or note");
   TableView table;
   table.path = "log";
-  table.columns = {{"Time (UTC)", 1.9f, false}, {"Who", 0.6f, false}, {"What", 2.5f, false}, {"Before", 1.1f, false}, {"After", 1.3f, false}, {"Note", 1.1f, false}};
+  table.columns = {{"Time (UTC)", 1.72f}, {"Who", 0.65f}, {"What", 2.75f}, {"Before", 1.05f}, {"After", 1.75f}, {"Note", 0.8f}};
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) -> TableCell {
     const EditLogEntry& e = log[rows_[row]];
     const std::string time = e.time_utc.size() >= 16 ? e.time_utc.substr(0, 10) + " " + e.time_utc.substr(11, 8) : e.time_utc;
-    const std::string* cells[] = {&time, &e.author, &e.what, &e.before, &e.after, &e.note};
-    return {*cells[column], column == 0 ? Tone::secondary : Tone::text};
+    const std::string cells[] = {time, e.author, e.what, sentence(e.before), sentence(e.after), e.note};
+    return {cells[column], column == 0 ? Tone::secondary : Tone::text};
   };
   table.empty_text = log.empty() ? "No decision by hand yet." : "No entry fits the filter.";
   draw_table(w, table);

@@ -59,9 +59,9 @@ void ExportFormPanel::draw(Widgets& w, Frame& frame) {
   draw_format(w, frame);
   draw_crs(w, frame);
   w.text("File", TextRole::table, Tone::secondary);
-  if (w.input("export/path", path_, {.width = w.available_width() - w.px(92)})) follow_suffix();
-  ImGui::SameLine();
-  if (w.button("export/browse", "Browse…", {.width = -1.0f})) frame.view.dialog = Dialog::export_path;
+  const std::string before = path_;
+  if (w.path_field("export/path", path_, "export/browse")) frame.view.dialog = Dialog::export_path;
+  if (path_ != before) follow_suffix();
   draw_preview(w, frame);
   if (w.button("export/run", "Export", {.primary = true, .width = -1.0f, .why_not = why_not(frame)})) {
     frame.requests.emit(request::Export{path_, layers[layer_].word, frame.view.exporting.epsg, decimal_comma_, semicolon_});

@@ -36,9 +36,10 @@ std::string growth_sentence(const Frame& frame, const TreeRow& tree) {
   }
   std::string text = "Growth " + fixed(*tree.growth_m_per_year * 1000.0, 1) + " mm per year";
   if (!matches.empty()) {
-    const ChangeClass last = matches.back()->change;
-    if (last == ChangeClass::within_error) text += ", within error";
-    if (last == ChangeClass::shrank) text += ", shrank more than the error";
+    const MatchRow& last = *matches.back();
+    const std::string span = matches.size() < 2 ? "" : survey_label(frame.state(), last.a.inventory) + " to " + survey_label(frame.state(), last.b.inventory) + ": ";
+    if (last.change == ChangeClass::within_error) text += "; " + span + "within error";
+    if (last.change == ChangeClass::shrank) text += "; " + span + "shrank";
   }
   return text;
 }
@@ -83,13 +84,18 @@ void Inspector::draw_head(Widgets& w, Frame& frame, const TreeRow& tree) {
   w.record("review/tree", {row.x, row.y, label_width, row.height}, label);
   const std::string fate = fate_label(tree.fate);
   const float pill_width = w.text_width(fate, TextRole::strong) + w.px(28);
-  const float left = row.x + label_width + w.px(16);
-  w.text_in({left, row.y, row.right() - left - pill_width - w.px(8), row.height}, tree.species, TextRole::table, Tone::secondary);
+  const float left = row.x + label_width + w.px(16), room = row.right() - left - pill_width - w.px(8);
+  const bool beside = w.text_width(tree.species, TextRole::table) <= room;
+  if (beside) w.text_in({left, row.y, room, row.height}, tree.species, TextRole::table, Tone::secondary);
   w.pill("review/fate", fate, fate_color(tree.fate), row.right(), row.y + w.px(2));
   ImGui::Dummy({row.width, row.height});
-  if (const auto it = frame.state().trees.find(tree.tree); it != frame.state().trees.end() && it->second.fate_by_hand) {
-    w.text("fate set by hand", TextRole::caption, Tone::secondary);
-  }
+  const auto it = frame.state().trees.find(tree.tree);
+  const bool by_hand = it != frame.state().trees.end() && it->second.fate_by_hand;
+  if (beside && !by_hand) return;
+  const Rect line = w.next_rect(w.available_width(), w.px(18));  // a long species has a line of its own
+  if (!beside) w.text_in({line.x, line.y, 0.6f * line.width, line.height}, tree.species, TextRole::table, Tone::secondary);
+  if (by_hand) w.text_in(line, "fate set by hand", TextRole::caption, Tone::secondary, Align::right);
+  ImGui::Dummy({line.width, line.height});
 }
 
 void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
@@ -100,13 +106,23 @@ void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
   if (match != nullptr) {
     const std::string state = match->state == MatchState::automatic ? "" : std::string(" · ") + to_string(match->state) + " by hand";
     const bool sure = match->confidence >= sure_from || match->state != MatchState::automatic;
-    w.text("Confidence " + fixed(match->confidence, 2) + state, TextRole::strong, sure ? Tone::accent : Tone::warning);
+    const std::string confidence = "Confidence " + fixed(match->confidence, 2) + state;
+    const std::string pair = stem_label(frame.state(), match->a) + " and " + stem_label(frame.state(), match->b);
+    const float room = w.available_width() - w.text_width(confidence, TextRole::strong) - w.px(16);
+    const Rect line = w.next_rect(w.available_width(), w.line_height(TextRole::strong));
+    w.text(confidence, TextRole::strong, sure ? Tone::accent : Tone::warning);
     w.record_last("review/confidence", confidence_words(*match));
     if (ImGui::IsItemHovered()) w.tooltip("How sure it is that these two stems are one tree, by their distance, their diameters and what else would fit. 1 is certain.");
+    const bool beside = w.text_width(pair, TextRole::table) <= room;
+    if (beside) {
+      w.text_in(line, pair, TextRole::table, Tone::secondary, Align::right);
+      w.record("review/pair", line, pair);
+    }
     w.paragraph(confidence_words(*match), TextRole::table, Tone::secondary);
-    const std::string pair = stem_label(frame.state(), match->a) + " and " + stem_label(frame.state(), match->b);
-    w.paragraph(pair, TextRole::table, Tone::text);
-    w.record_last("review/pair", pair);
+    if (!beside) {
+      w.paragraph(pair, TextRole::table, Tone::secondary);
+      w.record_last("review/pair", pair);
+    }
   }
   std::string why = match != nullptr ? "" : "seen in one survey only";
   if (doubt != nullptr) why = doubt->why;
@@ -122,7 +138,7 @@ void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
 void Inspector::draw_history(Widgets& w, Frame& frame, const TreeRow& tree) {
   w.gap(6);
   const Rect head = w.next_rect(w.available_width(), w.px(24));
-  const char* names[] = {"Survey", "DBH cm", "Residual", "Source row"};
+  const char* names[] = {"Survey", "DBH, cm", "Residual", "Source row"};
   const std::array<Rect, 4> cells = history_columns(head);
   for (std::size_t i = 0; i < 4; ++i) w.text_in(cells[i], names[i], TextRole::caption, Tone::secondary);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

@@ -44,7 +44,14 @@ void draw_fate_mark(Widgets& w, Fate fate, float x, float y, float r) {
     draw->AddCircle({x, y}, r - 1, c.packed(), 24, line);
     return;
   }
-  draw->AddCircleFilled({x, y}, r, c.packed(), 24);
+  if (fate == Fate::unresolved) {  // the map's shapes: a diamond, and for what was removed a square
+    const float reach = r * 1.15f;
+    draw->AddQuadFilled({x, y - reach}, {x + reach, y}, {x, y + reach}, {x - reach, y}, c.packed());
+  } else if (fate == Fate::removed) {
+    draw->AddRectFilled({x - 0.9f * r, y - 0.9f * r}, {x + 0.9f * r, y + 0.9f * r}, c.packed());
+  } else {
+    draw->AddCircleFilled({x, y}, r, c.packed(), 24);
+  }
   const float d = r * 0.55f;
   const auto ink = w.tokens().panel.packed();
   if (fate == Fate::missing || fate == Fate::dead || fate == Fate::removed) {
@@ -132,12 +139,14 @@ void InventoriesPanel::draw_fates(Widgets& w, Frame& frame) {
     const int count = frame.derived.last_step_fates[i];
     if (count > 0 || (fate != Fate::dead && fate != Fate::removed)) draw_fate(w, frame, fate, count);
   }
+  ImGui::Indent(w.px(24));
   if (frame.derived.dead_before > 0) {
     w.fact("fates/dead_before", "Dead by " + from, count_text(frame.derived.dead_before), "Recorded as dead in " + from + " or before: nothing became of them since.");
   }
   if (frame.derived.seen_before_only > 0) {
     w.fact("fates/seen_before", "Last seen before " + from, count_text(frame.derived.seen_before_only), "Seen in neither " + from + " nor " + to + ".");
   }
+  ImGui::Unindent(w.px(24));
   ImGui::PopStyleVar();
 }
 
@@ -203,7 +212,7 @@ void InventoriesPanel::draw_alignment(Widgets& w, Frame& frame) {
   w.section("Alignment of " + survey_label(state, shown));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   if (a.status == AlignmentStatus::failed) {
-    w.paragraph(a.reason, TextRole::table, Tone::warning);
+    w.paragraph(sentence(a.reason), TextRole::table, Tone::warning);
   } else {
     w.fact("alignment/second_best", "Second-best pose", second_best_words(a.acceptance), "How well the next different pose fits. In a planted grid many poses fit.");
     w.fact("alignment/observed", "Observed", observed_words(a.observed), "Which of the six degrees of freedom the data decided; the others stay zero.");

@@ -13,9 +13,9 @@ namespace stemwise::ui {
 namespace {
 
 const std::vector<Column>& columns() {
-  static const std::vector<Column> all{{"Tree", 0.9f},           {"Earlier stem", 1.3f},   {"Later stem", 1.3f},     {"Distance, m", 1.1f, true},
-                                       {"cm before", 1.0f, true}, {"cm after", 0.9f, true}, {"Change, cm", 1.1f, true}, {"cm / year", 1.0f, true},
-                                       {"Class", 1.1f},           {"Confidence", 1.2f, true, true}, {"State", 1.0f}};
+  static const std::vector<Column> all{{"Tree", 0.9f},           {"Earlier stem", 1.25f},  {"Later stem", 1.25f},    {"Distance, m", 1.2f, true},
+                                       {"Before, cm", 1.1f, true}, {"After, cm", 1.0f, true}, {"Change, cm", 1.1f, true}, {"cm a year", 1.0f, true},
+                                       {"Class", 1.1f},           {"Confidence", 1.3f, true, true}, {"State", 1.0f}};
   return all;
 }
 
@@ -103,10 +103,8 @@ void MatchTable::draw(Widgets& w, Frame& frame) {
   arrange(frame);
   const std::vector<MatchRow>& all = frame.tables().matches;
   if (!all.empty()) {
-    w.input("matches/filter", wanted_.text, {.hint = "Filter by tree, stem, state or change", .width = w.px(280)});
-    ImGui::SameLine(0, w.px(16));
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + w.px(5));
-    w.text(count_text(static_cast<std::int64_t>(rows_.size())) + " of " + count_text(static_cast<std::int64_t>(all.size())), TextRole::table, Tone::secondary);
+    const std::string shown = count_text(static_cast<std::int64_t>(rows_.size())) + " of " + plural(static_cast<std::int64_t>(all.size()), "match", "matches");
+    draw_filter(w, "matches/filter", wanted_.text, "Filter by tree, stem, state or change", shown);
   }
   TableView table;
   table.path = "matches";

@@ -16,14 +16,14 @@ struct Policy {
 };
 constexpr std::array<Policy, 4> policies{{
     {FusionPolicy::min_dbh, "Smallest DBH", "The smallest measured DBH: careful where LiDAR tends to measure too thick."},
-    {FusionPolicy::newest, "Newest", "The latest survey that measured the tree."},
-    {FusionPolicy::best, "Best", "The survey with the smallest estimated error."},
-    {FusionPolicy::mean, "Mean", "The mean of all surveys, weighted by their errors."},
+    {FusionPolicy::newest, "Newest DBH", "The latest survey that measured the tree."},
+    {FusionPolicy::best, "Most certain DBH", "The survey with the smallest estimated error."},
+    {FusionPolicy::mean, "Weighted mean", "The mean of all surveys, weighted by their errors."},
 }};
 
 std::string effect_words(const PolicyEffect& effect) {
-  if (effect.changed == 0) return "changes nothing";
-  return count_text(effect.changed) + (effect.changed == 1 ? " changes, mean " : " change, mean ") + change_text(effect.mean_change_m) + " cm";
+  if (effect.changed == 0) return "same values";
+  return plural(effect.changed, "tree", "trees") + ", mean " + change_text(effect.mean_change_m) + " cm";
 }
 
 /// What a survey says of a tree: "24.5 cm", "Picea abies", "0.12 m away"; "" where it says nothing.
@@ -66,9 +66,9 @@ void MergePanel::draw_fusion(Widgets& w, Frame& frame) {
     if (on) w.fill(row, w.tokens().accent_soft, w.px(6));
     const std::string effect = on ? "chosen" : known ? effect_words(frame.status.fusion->policies[i]) : "…";
     if (w.area(std::string("merge/policy/") + to_string(p.policy), row, effect) && !on) frame.requests.emit(request::SetFusion{p.policy});
-    if (ImGui::IsItemHovered()) w.tooltip(std::string(p.help) + " At the right: how many merged diameters would be others, and by how much.");
-    w.text_in({row.x + w.px(8), row.y, w.px(110), row.height}, p.label, on ? TextRole::strong : TextRole::body, on ? Tone::accent : Tone::text);
-    w.text_in({row.x + w.px(118), row.y, row.width - w.px(126), row.height}, effect, TextRole::table, on ? Tone::accent : Tone::secondary, Align::right);
+    if (ImGui::IsItemHovered()) w.tooltip(std::string(p.help) + " At the right: how many trees would get another diameter, and by how much on average.");
+    w.text_in({row.x + w.px(8), row.y, w.px(126), row.height}, p.label, on ? TextRole::strong : TextRole::body, on ? Tone::accent : Tone::text);
+    w.text_in({row.x + w.px(134), row.y, row.width - w.px(142), row.height}, effect, TextRole::table, on ? Tone::accent : Tone::secondary, Align::right);
   }
   ImGui::PopStyleVar();
   w.gap(4);

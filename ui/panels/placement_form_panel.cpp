@@ -110,10 +110,8 @@ void PlacementFormPanel::draw_geoid(Widgets& w, Frame& frame) {
 }
 
 void PlacementFormPanel::draw_file(Widgets& w, Frame& frame, const char* path, std::string& file, Dialog dialog, const char* columns) {
-  w.input(path, file, {.hint = "A table, .csv", .width = w.available_width() - w.px(92)});
-  if (ImGui::IsItemHovered()) w.tooltip(std::string("With the columns ") + columns);
-  ImGui::SameLine();
-  if (w.button(std::string(path) + "/browse", "Browse…", {.width = -1.0f})) frame.view.dialog = dialog;
+  if (w.path_field(path, file, std::string(path) + "/browse", {.hint = "A table, .csv"})) frame.view.dialog = dialog;
+  w.paragraph(std::string("Columns: ") + columns, TextRole::caption, Tone::secondary);
 }
 
 void PlacementFormPanel::draw_control(Widgets& w, Frame& frame) {

@@ -115,8 +115,8 @@ void QueueTable::draw(Widgets& w, Frame& frame) {
   if (!t.queue.empty()) draw_filters(w, frame);
   TableView table;
   table.path = "queue";
-  table.columns = {{"Tree", 0.8f},           {"Doubt", 0.6f, true},      {"Surveys", 1.0f}, {"cm before", 0.9f, true},
-                   {"cm after", 0.85f, true}, {"Change, cm", 1.0f, true}, {"Why", 2.7f}};
+  table.columns = {{"Tree", 0.82f},            {"Doubt", 0.66f, true},     {"Surveys", 1.0f}, {"Before, cm", 0.9f, true},
+                   {"After, cm", 0.85f, true}, {"Change, cm", 0.95f, true}, {"Why", 2.75f}};
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame, t.queue[rows_[row]], column); };
   table.selected = [&](std::size_t row) {

@@ -36,9 +36,7 @@ void ReportPanel::draw(Widgets& w, Frame& frame) {
 
 void ReportPanel::draw_report(Widgets& w, Frame& frame) {
   w.paragraph("A file ending in .html, .pdf, .xlsx or .csv.", TextRole::caption, Tone::secondary);
-  w.input("report/path", report_path_, {.width = w.available_width() - w.px(92)});
-  ImGui::SameLine();
-  if (w.button("report/browse", "Browse…", {.width = -1.0f})) frame.view.dialog = Dialog::report_path;
+  if (w.path_field("report/path", report_path_, "report/browse")) frame.view.dialog = Dialog::report_path;
   const Rect row = w.next_rect(w.available_width(), w.px(28));
   w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "Area, ha (0: of the coverage)", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
@@ -60,7 +58,7 @@ void ReportPanel::draw_contents(Widgets& w, const Frame& frame) {
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  for (const auto& [label, value, detail] : preview->figures) w.fact("report/figure/" + label, label, value, detail);
+  for (const auto& [label, value, detail] : preview->figures) w.fact("report/figure/" + label, sentence(label), value, detail);
   ImGui::PopStyleVar();
   w.record_last("report/contents", std::to_string(preview->sections.size()));
   if (!w.fold("report/sections", plural(static_cast<std::int64_t>(preview->sections.size()), "section", "sections"), contents_open_)) return;
@@ -71,9 +69,7 @@ void ReportPanel::draw_contents(Widgets& w, const Frame& frame) {
 
 void ReportPanel::draw_field_check(Widgets& w, Frame& frame) {
   w.paragraph("Doubtful trees with distance and azimuth from the three nearest sure trees, to take outside. A file ending in .pdf, .html, .gpx, .csv or .xlsx.", TextRole::caption, Tone::secondary);
-  w.input("check/path", check_path_, {.width = w.available_width() - w.px(92)});
-  ImGui::SameLine();
-  if (w.button("check/browse", "Browse…", {.width = -1.0f})) frame.view.dialog = Dialog::field_check_path;
+  if (w.path_field("check/path", check_path_, "check/browse")) frame.view.dialog = Dialog::field_check_path;
   const Rect row = w.next_rect(w.available_width(), w.px(28));
   w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "At most so many trees", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});

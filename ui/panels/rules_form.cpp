@@ -24,6 +24,7 @@ void RulesForm::draw(Widgets& w, Frame& frame) {
   w.paragraph("Growth that nobody believes is flagged by published rules; nothing is ever deleted. Flags stand in the inspector, in exports and in the report.", TextRole::caption, Tone::secondary);
   const std::optional<RulePreviews>& rules = frame.status.rules;
   const bool known = rules && rules->revision == frame.revision;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   draw_pack(w, frame, nullptr, "", "No rules");
   for (const RulePack& pack : rule_packs()) {
     const RulePreview* found = nullptr;
@@ -33,18 +34,21 @@ void RulesForm::draw(Widgets& w, Frame& frame) {
     draw_pack(w, frame, found, pack.name, pack.title);
   }
   for (std::size_t i = rule_packs().size(); known && i < rules->packs.size(); ++i) draw_pack(w, frame, &rules->packs[i], rules->packs[i].pack.name, rules->packs[i].pack.name + ": own rules");
+  ImGui::PopStyleVar();
+  w.gap(4);
   if (w.button("rules/own", "Own rules from a file…", {.quiet = true, .tooltip = "A JSON file; docs/rules.md names its keys"})) frame.view.dialog = Dialog::rules_file;
 }
 
 void RulesForm::draw_pack(Widgets& w, Frame& frame, const RulePreview* preview, const std::string& name, const std::string& title) {
   const bool on = chosen_name(frame.state()) == name;
-  const Rect row = w.next_rect(w.available_width(), w.px(26));
+  const Rect row = w.next_rect(w.available_width(), w.px(28));
   if (on) w.fill(row, w.tokens().accent_soft, w.px(6));
   const std::string count = preview != nullptr ? count_words(*preview) : name.empty() ? "" : "…";
   if (w.area("rules/" + (name.empty() ? "none" : name), row, count) && !on) {
     frame.requests.emit(request::ChooseRules{name.empty() ? std::nullopt : preview != nullptr ? std::optional(preview->pack) : std::optional(*find_rule_pack(name))});
   }
-  w.text_in({row.x + w.px(8), row.y, row.width - w.px(120), row.height}, title, on ? TextRole::strong : TextRole::body, on ? Tone::accent : Tone::text);
+  const float count_width = w.text_width(count, TextRole::table) + w.px(2);
+  w.text_in({row.x + w.px(8), row.y, row.width - count_width - w.px(28), row.height}, title, on ? TextRole::strong : TextRole::body, on ? Tone::accent : Tone::text);
   w.text_in({row.x, row.y, row.width - w.px(8), row.height}, count, TextRole::table, on ? Tone::accent : Tone::secondary, Align::right);
   if (on && preview != nullptr) draw_counts(w, *preview);
 }

@@ -7,21 +7,32 @@
 namespace stemwise::ui {
 namespace {
 
+/// A small triangle that says which way a column sorts.
+void draw_sort_mark(Widgets& w, const Rect& at, bool ascending) {
+  const float x = at.center_x(), y = at.center_y(), r = w.px(3), tip = ascending ? -r : r;
+  ImGui::GetWindowDrawList()->AddTriangleFilled({x, y + tip}, {x + r, y - 0.6f * tip}, {x - r, y - 0.6f * tip}, w.tokens().secondary.packed());
+}
+
 void draw_head(Widgets& w, const TableView& table) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, w.px(26));
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     ImGui::TableSetColumnIndex(static_cast<int>(c));
     w.push_font(TextRole::caption);
-    ImGui::PushStyleColor(ImGuiCol_Text, w.tokens().secondary.packed());
+    ImGui::PushStyleColor(ImGuiCol_Text, 0);  // the table's own arrow and words give way to ours, which use the whole width
     ImGui::PushStyleColor(ImGuiCol_HeaderHovered, w.tokens().canvas.packed());
-    // Numbers stand at the right, and so do their heads; the table draws its sorting arrow at the far right.
-    const bool number = table.columns[c].number;
     const Rect head = w.next_rect(w.available_width(), w.line_height(TextRole::caption));
-    ImGui::TableHeader(number ? ("##" + table.columns[c].name).c_str() : table.columns[c].name.c_str());
+    ImGui::TableHeader(("##" + table.columns[c].name).c_str());
     ImGui::PopStyleColor(2);
     w.pop_font();
+    const Column& column = table.columns[c];
     const bool sorted = (ImGui::TableGetColumnFlags(static_cast<int>(c)) & ImGuiTableColumnFlags_IsSorted) != 0;
-    if (number) w.text_in({head.x, head.y, head.width - (sorted ? w.px(14) : 0.0f), head.height}, table.columns[c].name, TextRole::caption, Tone::secondary, Align::right);
+    const float mark = sorted ? w.px(12) : 0.0f;
+    w.text_in({head.x, head.y, head.width - mark, head.height}, column.name, TextRole::caption, Tone::secondary, column.number ? Align::right : Align::left);
+    if (sorted && specs != nullptr && specs->SpecsCount > 0) {
+      const float at = column.number ? head.right() - w.px(8) : head.x + std::min(w.text_width(column.name, TextRole::caption) + w.px(4), head.width - w.px(8));
+      draw_sort_mark(w, {at, head.y, w.px(8), head.height}, specs->Specs[0].SortDirection != ImGuiSortDirection_Descending);
+    }
     w.record_last(table.path + "/head/" + table.columns[c].name, table.columns[c].name);
   }
 }
@@ -59,6 +70,14 @@ void draw_row(Widgets& w, const TableView& table, std::size_t row) {
 }
 
 }  // namespace
+
+void draw_filter(Widgets& w, const std::string& path, std::string& text, const std::string& hint, const std::string& beside) {
+  const Rect line = w.next_rect(w.available_width(), w.px(28));
+  const float width = std::min(w.px(280), line.width);
+  w.input(path, text, {.hint = hint, .width = width});
+  const float height = ImGui::GetItemRectSize().y;
+  w.text_in({line.x + width + w.px(16), line.y, line.width - width - w.px(16), height}, beside, TextRole::table, Tone::secondary);
+}
 
 void draw_table(Widgets& w, const TableView& table) {
   if (table.rows == 0) {

@@ -34,6 +34,8 @@ struct TableView {
   std::string empty_text = "Nothing here";
 };
 
+/// The line above a table: a field that filters it, and a few words beside it.
+void draw_filter(Widgets& w, const std::string& path, std::string& text, const std::string& hint, const std::string& beside = {});
 void draw_table(Widgets& w, const TableView& table);
 
 }  // namespace stemwise::ui

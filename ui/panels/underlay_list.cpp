@@ -20,11 +20,11 @@ void draw_label(Widgets& w, const char* text) {
 void draw_heights(Widgets& w, Underlay& u, const std::string& path) {
   const float width = 0.5f * (w.px(list_width - label_width) - w.px(6));
   draw_label(w, "Heights");
-  const char* low = u.low_m <= Underlay::lowest_m ? "all" : "from %.1f m";
+  const char* low = u.low_m <= Underlay::lowest_m ? "from lowest" : "from %.1f m";
   if (w.slider(path + "/from", u.low_m, Underlay::lowest_m, Underlay::highest_m, low, width)) u.high_m = std::max(u.high_m, u.low_m);
   if (ImGui::IsItemHovered()) w.tooltip("Only points so high above the ground are shown: 0.8 to 1.8 m shows the stems alone. The ground is where the cloud's lowest points are.");
   ImGui::SameLine(0, w.px(6));
-  const char* high = u.high_m >= Underlay::highest_m ? "no limit" : "to %.1f m";
+  const char* high = u.high_m >= Underlay::highest_m ? "to highest" : "to %.1f m";
   if (w.slider(path + "/to", u.high_m, Underlay::lowest_m, Underlay::highest_m, high, width)) u.low_m = std::min(u.low_m, u.high_m);
 }
 

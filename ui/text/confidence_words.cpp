@@ -20,7 +20,7 @@ std::string dbh_words(const MatchRow& match) {
 
 std::string confidence_words(const MatchRow& match) {
   if (match.state == MatchState::accepted || match.state == MatchState::linked) return "a person said so";
-  std::string words = residual_text(match.distance_m) + " apart; " + dbh_words(match);
+  std::string words = distance_text(match.distance_m) + " apart; " + dbh_words(match);
   words += match.second_distance_m ? "; second candidate " + distance_text(*match.second_distance_m) + " away" : "; no second candidate";
   return words;
 }

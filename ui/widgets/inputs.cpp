@@ -6,6 +6,23 @@
 #include "ui/widgets/widgets.hpp"
 
 namespace stemwise::ui {
+namespace {
+
+constexpr float field_height = 28.0f;
+
+/// Makes a one-line field as high as every other control of a form.
+class FieldPadding {
+ public:
+  explicit FieldPadding(const Widgets& w) {
+    const float y = std::max(1.0f, 0.5f * (w.px(field_height) - ImGui::GetFontSize()));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {w.px(10), y});
+  }
+  ~FieldPadding() { ImGui::PopStyleVar(); }
+  FieldPadding(const FieldPadding&) = delete;
+  FieldPadding& operator=(const FieldPadding&) = delete;
+};
+
+}  // namespace
 
 bool Widgets::checkbox(const std::string& path, const std::string& label, bool& value, const std::string& hint) {
   const Rect row = next_rect(px(16) + px(8) + text_width(label, TextRole::body) + px(4), px(24));
@@ -80,6 +97,7 @@ bool Widgets::input(const std::string& path, std::string& value, const InputLook
       ImGui::GetWindowDrawList()->AddText({at.x + px(10), at.y + px(7)}, tokens().faint.packed(), look.hint.c_str());
     }
   } else {
+    const FieldPadding padding(*this);
     ImGui::SetNextItemWidth(width);
     changed = ImGui::InputTextWithHint("##text", look.hint.c_str(), &value);
   }
@@ -95,7 +113,18 @@ bool Widgets::input(const std::string& path, std::string& value, const InputLook
   return changed;
 }
 
+bool Widgets::path_field(const std::string& path, std::string& value, const std::string& browse_path, const InputLook& look) {
+  const Rect line = next_rect(available_width(), px(field_height));
+  const float button_width = px(84);
+  InputLook narrower = look;
+  narrower.width = line.width - button_width - px(8);
+  input(path, value, narrower);
+  if (ImGui::IsItemHovered() && text_width(value, TextRole::body) > narrower.width - px(20)) tooltip(value);
+  return button_in({line.right() - button_width, line.y, button_width, line.height}, browse_path, "Browse…");
+}
+
 bool Widgets::number(const std::string& path, double& value, const char* format, float width_px) {
+  const FieldPadding padding(*this);
   ImGui::PushID(path.c_str());
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
   const bool changed = ImGui::InputDouble("##number", &value, 0.0, 0.0, format, ImGuiInputTextFlags_AutoSelectAll);
@@ -105,6 +134,7 @@ bool Widgets::number(const std::string& path, double& value, const char* format,
 }
 
 bool Widgets::slider(const std::string& path, float& value, float low, float high, const char* format, float width_px) {
+  const FieldPadding padding(*this);
   ImGui::PushID(path.c_str());
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
   const bool changed = ImGui::SliderFloat("##slider", &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);

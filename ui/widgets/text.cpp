@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "ui/widgets/widgets.hpp"
 
@@ -17,6 +19,22 @@ std::string shortened(ImFont* font, const std::string& text, float width) {
   const char* end = nullptr;
   font->CalcTextSizeA(font->FontSize, std::max(room, 1.0f), 0.0f, text.data(), text.data() + text.size(), &end);
   return std::string(text.data(), end) + ellipsis;
+}
+
+/// Broken at spaces where it is wider, and at line ends; an empty text has one empty line.
+std::vector<std::string_view> wrapped_lines(ImFont* font, const std::string& text, float width) {
+  std::vector<std::string_view> lines;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  do {
+    const char* stop = std::find(at, end, '\n');
+    const char* line_end = std::max(font->CalcWordWrapPositionA(1.0f, at, stop, std::max(width, 1.0f)), std::min(at + 1, stop));
+    lines.emplace_back(at, line_end);
+    at = line_end;
+    while (at < stop && *at == ' ') ++at;
+    if (at == stop && at < end) ++at;
+  } while (at < end);
+  return lines;
 }
 
 }  // namespace
@@ -47,19 +65,26 @@ void Widgets::text(const std::string& text, TextRole role, Tone tone) {
 }
 
 void Widgets::paragraph(const std::string& text, TextRole role, Tone tone) {
-  ImGui::PushTextWrapPos(0.0f);
-  this->text(text, role, tone);
-  ImGui::PopTextWrapPos();
+  const float width = available_width();
+  const Rect block = next_rect(width, wrapped_height(text, role, width));
+  wrapped_in(block, text, role, tone);
+  ImGui::Dummy({width, block.height});
 }
 
+float Widgets::line_step(TextRole role) const { return std::round(1.2f * fonts.of(role)->FontSize); }
+
 float Widgets::wrapped_height(const std::string& text, TextRole role, float width_px) const {
-  ImFont* font = fonts.of(role);
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, width_px, text.data(), text.data() + text.size()).y;
+  const auto lines = static_cast<float>(wrapped_lines(fonts.of(role), text, width_px).size());
+  return line_height(role) + (lines - 1.0f) * line_step(role);
 }
 
 void Widgets::wrapped_in(const Rect& rect, const std::string& text, TextRole role, Tone tone) {
   ImFont* font = fonts.of(role);
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::round(rect.x), std::round(rect.y)}, color(tone).packed(), text.data(), text.data() + text.size(), rect.width);
+  float y = std::round(rect.y);
+  for (const std::string_view line : wrapped_lines(font, text, rect.width)) {
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {std::round(rect.x), y}, color(tone).packed(), line.data(), line.data() + line.size());
+    y += line_step(role);
+  }
 }
 
 std::string Widgets::middle_shortened(const std::string& text, TextRole role, float width_px) const {

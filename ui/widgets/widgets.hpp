@@ -51,6 +51,7 @@ class Widgets {
   void text(const std::string& text, TextRole role = TextRole::body, Tone tone = Tone::text);
   void paragraph(const std::string& text, TextRole role = TextRole::body, Tone tone = Tone::text);  ///< wraps at the right edge
   /// The height that `text` needs in a column of this width, and the text itself there.
+  float line_step(TextRole role) const;  ///< from line to line of running text
   float wrapped_height(const std::string& text, TextRole role, float width_px) const;
   void wrapped_in(const Rect& rect, const std::string& text, TextRole role, Tone tone);
   void section(const std::string& title);  ///< a head with air above
@@ -74,6 +75,8 @@ class Widgets {
   bool checkbox(const std::string& path, const std::string& label, bool& value, const std::string& tooltip = {});
   bool combo(const std::string& path, const std::vector<std::string>& items, int& current, float width_px = 0.0f);
   bool input(const std::string& path, std::string& value, const InputLook& look = {});
+  /// A field for a file's path with a button beside it; true: the button was pressed.
+  bool path_field(const std::string& path, std::string& value, const std::string& browse_path, const InputLook& look = {});
   bool number(const std::string& path, double& value, const char* format, float width_px = 0.0f);
   /// `format`: printf's, of a float ("%.0f %%").
   bool slider(const std::string& path, float& value, float low, float high, const char* format, float width_px = 0.0f);

@@ -213,7 +213,7 @@ TEST(DoubtKinds, EveryReasonOfTheQueueIsOfAKind) {
   EXPECT_EQ(kind_of({{}, {}, 0, "second candidate 0.31 m away", false}), DoubtKind::second_candidate);
   EXPECT_EQ(kind_of({{}, {}, 0, "shrank 4.2 cm, error 1.1 cm", false}), DoubtKind::shrank);
   EXPECT_EQ(kind_of({{}, {}, 0, "grew 31 mm per year", false}), DoubtKind::grew);
-  EXPECT_EQ(kind_of({{}, {}, 0, "missing inside coverage: dead, removed or overlooked?", false}), DoubtKind::missing);
+  EXPECT_EQ(kind_of({{}, {}, 0, "dead, removed or overlooked?", false}), DoubtKind::missing);
   EXPECT_EQ(kind_of({{}, {}, 0, "marked by hand", true}), DoubtKind::other);
 }
 

@@ -47,7 +47,7 @@ TEST_F(MergeTest, WhatAnotherPolicyWouldChangeIsShownBeforeItIsChosen) {
   ASSERT_TRUE(model().status.fusion);
   const PolicyEffect newest = model().status.fusion->policies[static_cast<std::size_t>(FusionPolicy::newest)];
   EXPECT_GT(newest.changed, 0);
-  EXPECT_EQ(window().value("merge/policy/newest").find(std::to_string(newest.changed) + " change, mean "), 0u) << window().value("merge/policy/newest");
+  EXPECT_EQ(window().value("merge/policy/newest").find(std::to_string(newest.changed) + " trees, mean "), 0u) << window().value("merge/policy/newest");
   const Tables before = tables();
   ASSERT_TRUE(window().click("merge/policy/newest"));
   window().settle();
