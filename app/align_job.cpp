@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/rough_poses.hpp"
 #include "app/with_frames.hpp"
 #include "core/project/commands.hpp"
 #include "core/survey/coverage.hpp"
@@ -14,6 +15,10 @@ namespace {
 using Surveys = std::vector<std::shared_ptr<const Inventory>>;
 
 void add_decisions(const ProjectState& state, AlignHints& hints) {
+  for (const AlignHints::RoughPose& rough : rough_poses(state)) {
+    const auto is_of_it = [&](const AlignHints::RoughPose& given) { return given.inventory == rough.inventory; };
+    if (std::none_of(hints.rough_poses.begin(), hints.rough_poses.end(), is_of_it)) hints.rough_poses.push_back(rough);
+  }
   for (const auto& [pair, match] : state.matches) {
     if (match.state == MatchState::automatic) continue;
     (match.joins() ? hints.same_tree : hints.not_same).push_back({pair.first, pair.second});

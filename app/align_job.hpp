@@ -29,7 +29,7 @@ struct AlignOutcome {
 
 /// Aligns all inventories of a snapshot, by the window and by the command line alike: drift out of trajectories first (of
 /// surveys that have no place and no decisions yet), then poses and matches. Decisions by hand in the project are added to
-/// `hints`: linked and accepted matches must join, rejected ones must not. Throws Cancelled.
+/// `hints`: linked and accepted matches must join, rejected ones must not, rough positions count again. Throws Cancelled.
 AlignOutcome align_project(const ProjectState& state, const AlignJobSettings& settings, AlignHints hints, const Progress& progress);
 
 /// The same for inventories that were added to an aligned project: what is aligned stays exactly as it is (poses, matches,

@@ -175,7 +175,7 @@ void note_columns(const StemTable& table, StemColumns& columns) {
   if (columns.position.others.empty()) return;
   std::string others;
   for (const std::string& pair : columns.position.others) others += (others.empty() ? "" : ", ") + pair;
-  columns.notes.push_back("other positions in the file: " + others + " (choose with --map x=... --map y=...)");
+  columns.notes.push_back("other columns that could be positions: " + others);
 }
 
 }  // namespace

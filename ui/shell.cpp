@@ -73,6 +73,7 @@ Layout lay_out(const Widgets& w, const Frame& frame, float width, float height) 
 
 struct Shell::Impl {
   Widgets widgets;
+  ActionKeys keys;
   Theme applied;
   bool prepared = false;
   Rect viewport;
@@ -93,6 +94,9 @@ struct Shell::Impl {
   Palette palette;
   Dialog browsing = Dialog::none;  ///< which dialog the file browser is open for
 
+  bool enter_was_typed = false;    ///< the Enter key that is down belongs to a text field
+
+  void take_keys_from_imgui();
   void draw_body(Frame& frame, const Layout& l);
   void begin_side(const char* name, const Rect& rect);
   static void end_side();
@@ -110,15 +114,30 @@ const WidgetRegistry& Shell::registry() const { return impl_->widgets.registry; 
 const std::string& Shell::focused() const { return impl_->widgets.focus.focused(); }
 Rect Shell::viewport_rect() const { return impl_->viewport; }
 
-bool Shell::prepare(const ViewState& view, float display_scale) {
-  const Theme wanted{view.theme, display_scale * static_cast<float>(view.zoom_percent / 100.0), view.reduce_motion};
+bool Shell::prepare(const ViewState& view, float scale) {
+  const Theme wanted{view.theme, scale, view.reduce_motion};
   const bool new_fonts = !impl_->prepared || impl_->widgets.fonts.scale() != wanted.scale;
   if (new_fonts) impl_->widgets.fonts.load(wanted.scale);
   if (new_fonts || !(wanted == impl_->applied)) apply_style(wanted);
-  ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;  // Tab goes through all controls (FocusOrder), not only through text fields
+  impl_->take_keys_from_imgui();
   impl_->widgets.theme = impl_->applied = wanted;
   impl_->prepared = true;
   return new_fonts;
+}
+
+void Shell::leave_field() { ImGui::ClearActiveID(); }
+
+/// Before a frame: which of Dear ImGui's own keys mean something else here.
+void Shell::Impl::take_keys_from_imgui() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Tab] = -1;  // goes through all controls (FocusOrder), not only through text fields
+  const bool typing = io.WantTextInput;
+  io.KeyMap[ImGuiKey_Home] = typing ? static_cast<int>(Key::home) : -1;  // else it would move the focus: it shows everything
+  // Enter presses what has the focus, as Space does; not with the stroke that ended a text.
+  const bool enter = io.KeysDown[static_cast<int>(Key::enter)];
+  if (!enter) enter_was_typed = false;
+  else if (typing) enter_was_typed = true;
+  io.NavInputs[ImGuiNavInput_Activate] = enter && !enter_was_typed ? 1.0f : 0.0f;
 }
 
 void Shell::draw(Frame& frame) {
@@ -127,7 +146,7 @@ void Shell::draw(Frame& frame) {
   w.focus.begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyPressed(258)) w.focus.move(!io.KeyShift);
-  if (frame.view.dialog == Dialog::none) run_keys(frame.available, frame.requests);
+  if (frame.view.dialog == Dialog::none) impl_->keys.run(frame.available, frame.requests);
   const bool plain = !ImGui::GetIO().KeyShift;  // with Shift, Escape cancels a job
   if (frame.view.dialog == Dialog::none && plain && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     frame.view.tool = Tool::select;

@@ -15,7 +15,9 @@ class Shell {
 
   /// Loads fonts and sets the style where theme or scale changed. True when the font texture has to be made anew.
   /// Before ImGui::NewFrame.
-  bool prepare(const ViewState& view, float display_scale);
+  bool prepare(const ViewState& view, float scale);
+  /// The text field that is being typed in is left: what stands there is answered after the next frame.
+  void leave_field();
   /// Between ImGui::NewFrame and ImGui::Render.
   void draw(Frame& frame);
 

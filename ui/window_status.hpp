@@ -90,6 +90,7 @@ struct WindowStatus {
   std::string cursor_local, cursor_projected, cursor_geographic;
   std::vector<LegendEntry> legend;
   std::string legend_caption;               ///< "DBH, cm"
+  double most_zoom_percent = 200.0;         ///< at which everything has room in the window
   std::string home_folder, working_folder;
   std::string project_folder;               ///< where what is written belongs: the project's, else its first survey's
   std::vector<std::string> places;          ///< folders used lately

@@ -1,6 +1,7 @@
 #include <cstdlib>
 
 #include "app/align_job.hpp"
+#include "app/rough_poses.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
 #include "core/survey/unit_doubt.hpp"
@@ -20,7 +21,7 @@ AlignJobSettings settings_of(const ProjectState& state, Issues& issues) {
       settings.align.seed = std::strtoull(value.c_str(), nullptr, 10);
     } else if (key == "accept_probable") {
       settings.align.accept_probable = value == "true";
-    } else if (!key.starts_with("rules.")) {  // those are for the tables, not for the alignment
+    } else if (!key.starts_with("rules.") && !is_rough_pose(key)) {  // rules are for the tables, not for the alignment
       const Issues wrong = set_field(fields, key, value);
       issues.insert(issues.end(), wrong.begin(), wrong.end());
     }
@@ -53,8 +54,7 @@ void tell_refusals(WindowModel& m) {
 JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome outcome) {
   if (m.document.revision() != revision) return {false, "The project was changed meanwhile: align again"};
   const std::vector<std::string> notes = outcome.alignment.notes;
-  m.execute(apply_outcome(std::move(outcome)));
-  forget_used_pairs(m);
+  apply_with_named_pairs(m, std::move(outcome));
   tell_refusals(m);
   Issues doubts;
   for (const std::string& doubt : unit_doubts(m.document.state())) doubts.push_back(Issue{Severity::warning, "", 0, "", doubt, "Remove that survey and add it again with its unit (Import with options)."});
@@ -78,7 +78,6 @@ void run_alignment(WindowModel& m) {
   const AlignJobSettings settings = settings_of(m.document.state(), issues);
   m.notices.add_issues("Some settings were left out", issues);
   AlignHints hints;
-  hints.rough_poses = m.rough_poses;
   forget_used_pairs(m);
   for (const auto& [known, other] : m.view.pairs) hints.same_tree.push_back({known, other});
   m.view.step = ui::Step::align;

@@ -1,3 +1,4 @@
+#include "app/rough_poses.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
 
@@ -57,8 +58,7 @@ struct Answer {
   void operator()(const request::Recover& r) const { answer_recovery(m, r.yes); }
   void operator()(const request::Leave& r) const { answer_leave(m, r.save); }
   void operator()(const request::RoughPose& r) const {
-    std::erase_if(m.rough_poses, [&](const auto& pose) { return pose.inventory == r.inventory; });
-    m.rough_poses.push_back({r.inventory, r.x_m, r.y_m, radians(r.yaw_deg), r.radius_m, 0.35});
+    m.execute(keep_rough_pose(m.document.state(), {r.inventory, r.x_m, r.y_m, radians(r.yaw_deg), r.radius_m}));
     run_alignment(m);
   }
   void operator()(const request::Export& r) const { export_layer(m, r); }

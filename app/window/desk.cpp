@@ -1,7 +1,10 @@
 #include "app/window/desk.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 #include "app/platform/folders.hpp"
@@ -37,6 +40,14 @@ std::string project_folder(const Document& document) {
   return std::filesystem::is_directory(folder, error) ? folder.string() : "";
 }
 
+/// All panels need this much room at 100 %; a smaller window is not zoomed out below that.
+double most_zoom_percent(float width, float height) {
+  constexpr double least_width = 1240.0, least_height = 690.0, step = 10.0;
+  if (width <= 0.0f || height <= 0.0f) return 200.0;  // not known before the first frame
+  const double fits = std::min(width / least_width, height / least_height) * 100.0;
+  return std::clamp(std::floor(fits / step) * step, 100.0, 200.0);
+}
+
 }  // namespace
 
 struct Desk::Parts {
@@ -45,6 +56,7 @@ struct Desk::Parts {
   std::string config_folder;
   double now_s = 0.0;
   bool moving = false;
+  int frames_to_close = 0;  ///< asked to: a text field is left and its text answered first
   int busy_frames = 3;  ///< frames to draw after news: ImGui needs two to settle
 };
 
@@ -106,8 +118,10 @@ void Desk::offer_recovery(const std::string& of) {
 }
 
 bool Desk::prepare(float display_scale) {
-  model_->scale = display_scale * static_cast<float>(model_->view.zoom_percent / 100.0);
-  return parts_->shell.prepare(model_->view, display_scale);
+  model_->status.most_zoom_percent = most_zoom_percent(ImGui::GetIO().DisplaySize.x / display_scale, ImGui::GetIO().DisplaySize.y / display_scale);
+  const auto zoom = static_cast<float>(std::min(model_->view.zoom_percent, model_->status.most_zoom_percent) / 100.0);
+  model_->scale = display_scale * zoom;
+  return parts_->shell.prepare(model_->view, model_->scale);
 }
 
 void Desk::frame(double elapsed_s) {
@@ -121,6 +135,7 @@ void Desk::frame(double elapsed_s) {
   m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), model_->scale);
   refresh_status();
   draw();
+  if (parts_->frames_to_close > 0 && --parts_->frames_to_close == 0) leave_then(m, [&m] { m.wants_close = true; });
 }
 
 void Desk::poll(double elapsed_s) {
@@ -184,7 +199,7 @@ void Desk::draw() {
 }
 
 double Desk::seconds_to_next_frame() const {
-  if (parts_->busy_frames > 0 || parts_->moving) return 0.0;
+  if (parts_->busy_frames > 0 || parts_->frames_to_close > 0 || parts_->moving) return 0.0;
   if (parts_->shell.viewport_rect().width > 0 && model_->viewport.viewport().is_dirty()) return 0.0;
   if (!model_->notices.all().empty() && model_->notices.all().front().age_s < 10.0) return 0.5;
   if (model_->jobs.is_busy()) return 0.2;
@@ -206,7 +221,8 @@ void Desk::drop(const std::vector<std::string>& dropped) {
 }
 
 void Desk::ask_to_close() {
-  leave_then(*model_, [this] { model_->wants_close = true; });
+  parts_->shell.leave_field();  // what is being typed counts as said
+  parts_->frames_to_close = 2;
 }
 
 void Desk::keep_unsaved_work() {

@@ -25,7 +25,6 @@ void reset_view(WindowModel& m) {
   m.view.tool = ui::Tool::select;
   m.view.underlays.clear();
   m.underlays = {};
-  m.rough_poses.clear();
   m.view.pairs.clear();
   m.view.ghost = m.view.before_after = m.view.slide = false;
   m.view.placement = {};
@@ -35,6 +34,7 @@ void reset_view(WindowModel& m) {
   m.status.rules.reset();
   m.status.exporting.reset();
   m.status.reporting.reset();
+  m.status.page.reset();
   m.walk = {};
 }
 

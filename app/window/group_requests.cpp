@@ -74,12 +74,18 @@ void reject_group(WindowModel& m) {
 }
 
 void set_group_fate(WindowModel& m, std::optional<Fate> fate) {
+  std::int64_t contradicted = 0;
   std::vector<CommandPtr> commands;
   for (const TreeId tree : m.view.group) {
     const auto it = m.document.state().trees.find(tree);
-    if (it != m.document.state().trees.end() && it->second.fate_by_hand != fate) commands.push_back(set_fate(tree, fate, stamp_now()));
+    if (it == m.document.state().trees.end() || it->second.fate_by_hand == fate) continue;
+    if (fate && !why_not_fate(m.document.state(), tree, *fate).empty()) ++contradicted;
+    else commands.push_back(set_fate(tree, fate, stamp_now()));
   }
-  run_all(m, (fate ? std::string("Mark as ") + fate_label(*fate) : std::string("Clear fate")) + ": " + of_trees(m), std::move(commands));
+  if (contradicted > 0) {
+    m.notices.add(Severity::warning, ui::plural(contradicted, "tree was", "trees were") + " left as they are: their sightings say that they are not " + fate_in_sentence(*fate));
+  }
+  run_all(m, (fate ? "Mark as " + fate_in_sentence(*fate) : std::string("Clear fate")) + ": " + of_trees(m), std::move(commands));
 }
 
 void toggle_queue_region(WindowModel& m) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/align_job.hpp"
 #include "app/window/project_io.hpp"
 #include "app/window/window_model.hpp"
 #include "ui/requests.hpp"
@@ -25,6 +26,8 @@ void split_selected(WindowModel& model);
 void pair_stem(WindowModel& model, StemRef stem);
 void align_by_pairs(WindowModel& model);
 void forget_used_pairs(WindowModel& model);
+/// The alignment, and the pairs that it was asked for with as links by hand: one change of the project.
+void apply_with_named_pairs(WindowModel& model, AlignOutcome outcome);
 // Polygons drawn by clicks (shape_requests.cpp): the lasso, and where a survey looked.
 void start_shape(WindowModel& model, ui::Tool tool);
 void finish_shape(WindowModel& model, const std::vector<Eigen::Vector3d>& corners_m, bool adds);

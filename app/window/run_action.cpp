@@ -64,8 +64,8 @@ bool run_view_action(WindowModel& m, ActionId action) {
     case view_bottom: toggle(v.panels.show_bottom); return true;
     case view_theme: v.theme = v.theme == ui::ThemeName::light ? ui::ThemeName::dark : ui::ThemeName::light; return true;
     case view_reduce_motion: toggle(v.reduce_motion); return true;
-    case view_zoom_in: v.zoom_percent = std::min(200.0, v.zoom_percent + 10.0); return true;
-    case view_zoom_out: v.zoom_percent = std::max(80.0, v.zoom_percent - 10.0); return true;
+    case view_zoom_in: v.zoom_percent = std::min(m.status.most_zoom_percent, v.zoom_percent + 10.0); return true;
+    case view_zoom_out: v.zoom_percent = std::max(80.0, std::min(m.status.most_zoom_percent, v.zoom_percent) - 10.0); return true;
     case tool_select: v.tool = ui::Tool::select; return true;
     case tool_rectangle: v.tool = v.tool == ui::Tool::rectangle ? ui::Tool::select : ui::Tool::rectangle; return true;
     case tool_lasso: start_shape(m, ui::Tool::lasso); return true;

@@ -19,6 +19,7 @@
 #include "app/platform/folders.hpp"
 #include "app/window/desk.hpp"
 #include "app/window/headless_window.hpp"
+#include "app/window/layout_key.hpp"
 #include "app/window/retained_frame.hpp"
 #include "app/window/window_model.hpp"
 #include "app/window/window_script.hpp"
@@ -115,7 +116,9 @@ struct WindowEvents {
 
 WindowEvents& events_of(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
 
-void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) { events_of(window).keys.add(key, scancode, action, mods); }
+void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+  events_of(window).keys.add(layout_key(key, glfwGetKeyName(key, scancode)), scancode, action, mods);
+}
 
 void on_drop(GLFWwindow* window, int count, const char** paths) {
   events_of(window).desk.drop({paths, paths + count});

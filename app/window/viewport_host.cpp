@@ -5,6 +5,7 @@
 
 #include "app/window/click_effect.hpp"
 #include "core/geometry/rigid_transform.hpp"
+#include "core/survey/field_check.hpp"
 #include "ui/frame.hpp"
 #include "ui/text/format.hpp"
 
@@ -333,7 +334,7 @@ void ViewportHost::describe_shapes(const Document& document, const ui::ViewState
   if (from && cursor_px_) status.pair_lines.push_back({from->x(), from->y(), cursor_px_->x(), cursor_px_->y()});
 }
 
-void ViewportHost::describe_measure(const Document&, const ui::ViewState& view, ui::WindowStatus& status) const {
+void ViewportHost::describe_measure(const Document& document, const ui::ViewState& view, ui::WindowStatus& status) const {
   status.measure_text.clear();
   status.measure_line.reset();
   if (view.tool != ui::Tool::measure) return;
@@ -349,9 +350,9 @@ void ViewportHost::describe_measure(const Document&, const ui::ViewState& view, 
   const Eigen::Vector2d a = viewport_.pixels_of(from), b = viewport_.pixels_of(to);
   status.measure_line = ui::OverlayLine{a.x(), a.y(), b.x(), b.y()};
   const Eigen::Vector3d way = to - from;
-  double azimuth_deg = degrees(std::atan2(way.x(), way.y()));
-  if (azimuth_deg < 0.0) azimuth_deg += 360.0;
-  status.measure_text = ui::distance_text(way.head<2>().norm()) + " at " + ui::fixed(azimuth_deg, 1) + "° from the y axis.  Esc: stop";
+  const NorthWords north = north_of(document.state().georeference);
+  const double azimuth_deg = std::fmod(degrees(std::atan2(way.x(), way.y())) + north.y_axis_azimuth_deg + 720.0, 360.0);
+  status.measure_text = ui::distance_text(way.head<2>().norm()) + " at " + ui::fixed(azimuth_deg, 1) + "° from " + north.name + ".  Esc: stop";
 }
 
 }  // namespace stemwise

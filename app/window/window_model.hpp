@@ -15,7 +15,6 @@
 #include "app/window/underlay_host.hpp"
 #include "app/window/underlay_memory.hpp"
 #include "app/window/viewport_host.hpp"
-#include "core/survey/align_surveys.hpp"
 #include "ui/actions/action.hpp"
 #include "ui/view_state.hpp"
 #include "ui/window_status.hpp"
@@ -38,7 +37,6 @@ struct WindowModel {
   ImportMemory import_memory;
   ReviewWalk walk;                                 ///< through the queue, by N and P
   float scale = 1.0f;                              ///< of the interface just now
-  std::vector<AlignHints::RoughPose> rough_poses;  ///< given by a person, for every later run
   std::function<void()> after_leaving;             ///< what waits until changes are saved or given up
   std::function<void()> on_yes, on_no;             ///< of the question that is asked
   bool leaves_after_saving = false;

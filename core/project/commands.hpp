@@ -33,6 +33,8 @@ CommandPtr link_stems(StemRef a, StemRef b, EditStamp stamp);
 /// Takes the stem out of its tree; it becomes a tree of its own, and its matches are rejected.
 CommandPtr unlink_stem(StemRef stem, EditStamp stamp);
 CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp);
+/// A sentence where the sightings say the opposite of what a person would mark; empty where it may be so.
+std::string why_not_fate(const ProjectState& state, TreeId tree, Fate fate);
 CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp);
 
 CommandPtr set_georeference(Georeference georeference);

@@ -12,6 +12,7 @@ inline constexpr std::size_t fate_count = 8;
 
 const char* to_string(Fate fate);       ///< the word of cli.md
 const char* fate_label(Fate fate);      ///< "Missing inside coverage"
+std::string fate_in_sentence(Fate fate);  ///< "missing inside coverage"
 std::optional<Fate> fate_from(const std::string& word);
 
 }  // namespace stemwise

@@ -21,9 +21,6 @@ std::vector<const TreeRow*> sure_trees(const Tables& tables) {
   return sure;
 }
 
-/// Clockwise from the frame's +y axis to true north, or to grid north.
-double north_from_y_deg(const Georeference& georeference) { return georeference.kind == GeoreferenceKind::anchor ? georeference.azimuth_deg : 0.0; }
-
 std::vector<FieldBearing> bearings_to(const TreeRow& tree, const std::vector<const TreeRow*>& sure, double y_axis_azimuth_deg) {
   std::vector<std::pair<double, const TreeRow*>> near;
   for (const TreeRow* one : sure)
@@ -43,17 +40,22 @@ std::vector<FieldBearing> bearings_to(const TreeRow& tree, const std::vector<con
 
 }  // namespace
 
+NorthWords north_of(const Georeference& georeference) {
+  if (georeference.kind == GeoreferenceKind::anchor) return {"true north", georeference.azimuth_deg};
+  return {georeference.kind == GeoreferenceKind::crs ? "grid north" : "the reference's +y axis", 0.0};
+}
+
 FieldCheck make_field_check(const ProjectState& state, const Tables& tables, std::size_t most) {
   FieldCheck check;
-  const GeoreferenceKind kind = state.georeference.kind;
-  check.north = kind == GeoreferenceKind::anchor ? "true north" : kind == GeoreferenceKind::crs ? "grid north" : "the reference's +y axis";
+  const NorthWords north = north_of(state.georeference);
+  check.north = north.name;
   const std::vector<const TreeRow*> sure = sure_trees(tables);
   std::set<TreeId> taken;
   for (const QueueRow& queued : tables.queue) {
     if (check.rows.size() >= most) break;
     const TreeRow* tree = queued.decided ? nullptr : tables.find(queued.tree);
     if (tree == nullptr || !taken.insert(queued.tree).second) continue;
-    check.rows.push_back({tree->tree, queued.why, tree->position_m, tree->has_z, tree->dbh_m, tree->species, bearings_to(*tree, sure, north_from_y_deg(state.georeference))});
+    check.rows.push_back({tree->tree, queued.why, tree->position_m, tree->has_z, tree->dbh_m, tree->species, bearings_to(*tree, sure, north.y_axis_azimuth_deg)});
   }
   return check;
 }

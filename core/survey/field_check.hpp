@@ -7,6 +7,13 @@
 
 namespace stemwise {
 
+/// What azimuths on the ground count from, and what the frame's +y axis points to from there, clockwise.
+struct NorthWords {
+  std::string name;             ///< "true north", "grid north", "the reference's +y axis"
+  double y_axis_azimuth_deg = 0.0;
+};
+NorthWords north_of(const Georeference& georeference);
+
 /// How to reach a doubtful tree from a sure one.
 struct FieldBearing {
   TreeId from;

@@ -49,18 +49,21 @@ double dbh_error_m(const Tables& tables, InventoryId from, InventoryId to) {
   return 0.01;
 }
 
+/// Of the match as it was found, whatever a person has decided since.
 Doubt doubt_of_match(const ProjectState& state, const Tables& tables, const MatchRow& match) {
   Doubt doubt;
   if (match.state == MatchState::rejected) return doubt;
+  const auto found = state.matches.find(ordered(match.a, match.b));
+  const double confidence = found == state.matches.end() ? match.confidence : found->second.confidence;
   const double error_m = std::max(0.005, dbh_error_m(tables, match.a.inventory, match.b.inventory));
   const auto noise = state.alignments.find(match.b.inventory);
   const double noise_m = std::max(0.1, noise == state.alignments.end() ? 0.1 : noise->second.position_noise_m);
   if (match.second_distance_m && *match.second_distance_m < match.distance_m + 3.0 * noise_m)
-    doubt.raise(std::max(1.0 - match.confidence, 0.2), words("second candidate %.2f m away", *match.second_distance_m));
+    doubt.raise(std::max(1.0 - confidence, 0.2), words("second candidate %.2f m away", *match.second_distance_m));
   if (match.change == ChangeClass::shrank)
     doubt.raise(std::min(0.9, 0.15 * std::abs(*match.change_m) / error_m),
                 words("shrank %.1f cm, error %.1f cm", -100.0 * *match.change_m, 100.0 * error_m));
-  if (match.distance_m > 3.0 * noise_m) doubt.raise(1.0 - match.confidence, words("residual %.2f m", match.distance_m));
+  if (match.distance_m > 3.0 * noise_m) doubt.raise(1.0 - confidence, words("residual %.2f m", match.distance_m));
   if (!match.years && match.change_m && *match.change_m > 0.1) doubt.raise(std::min(0.9, 3.0 * *match.change_m), words("grew %.1f cm", 100.0 * *match.change_m));
   if (match.growth_m_per_year && *match.growth_m_per_year > 0.03)
     doubt.raise(std::min(0.9, 10.0 * *match.growth_m_per_year), words("grew %.0f mm per year", 1000.0 * *match.growth_m_per_year));
@@ -68,7 +71,7 @@ Doubt doubt_of_match(const ProjectState& state, const Tables& tables, const Matc
   const Stem* b = state.find(match.b);
   if (!a->species.empty() && !b->species.empty() && a->species != b->species)
     doubt.raise(0.45, "matched across a species change: " + a->species + " to " + b->species);
-  doubt.raise(1.0 - match.confidence, words("confidence %.2f", match.confidence));
+  doubt.raise(1.0 - confidence, words("confidence %.2f", confidence));
   return doubt;
 }
 
@@ -97,7 +100,8 @@ std::vector<QueueRow> review_queue(const ProjectState& state, const Tables& tabl
     const MatchRow& match = tables.matches[i];
     const Doubt doubt = doubt_of_match(state, tables, match);
     const bool decided = match.state != MatchState::automatic;
-    if (doubt.weight >= least_doubt || decided) queue.push_back({match.tree, i, doubt.weight, doubt.why, decided});
+    const bool by_hand = match.state == MatchState::rejected || match.state == MatchState::linked;  // accepting what nobody doubted is no answer
+    if (doubt.weight >= least_doubt || by_hand) queue.push_back({match.tree, i, doubt.weight, doubt.why, decided});
   }
   for (const TreeRow& tree : tables.trees) {
     const Doubt doubt = doubt_of_tree(tree);
@@ -109,8 +113,8 @@ std::vector<QueueRow> review_queue(const ProjectState& state, const Tables& tabl
     if (a.decided != b.decided) return !a.decided;
     return a.doubt > b.doubt;
   });
-  std::set<TreeId> listed;  // a tree is asked about once: first what is most in doubt about it, the rest when that is decided
-  std::erase_if(queue, [&](const QueueRow& row) { return !listed.insert(row.tree).second; });
+  std::set<TreeId> asked;  // a tree is asked about once: first what is most in doubt about it, the rest when that is decided
+  std::erase_if(queue, [&](const QueueRow& row) { return !row.decided && !asked.insert(row.tree).second; });
   return queue;
 }
 

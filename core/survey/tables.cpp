@@ -83,6 +83,7 @@ class Derivation {
   void collect_sightings();
   void derive_growth();
   void derive_matches();
+  void set_growth(TreeRow& row, const Sighting& first, const Sighting& last) const;
   void derive_trees();
   void derive_observations();
 
@@ -265,6 +266,15 @@ Fate Derivation::fate_at(const TreeSightings& tree, const TreeRow& row, std::siz
   return decide_fate(step, at);
 }
 
+/// Over the whole time that the tree was measured alive.
+void Derivation::set_growth(TreeRow& row, const Sighting& first, const Sighting& last) const {
+  const double change_m = *last.stem->dbh_m - *first.stem->dbh_m;
+  row.growth_from = first.ref.inventory;
+  row.growth_to = last.ref.inventory;
+  row.growth = classify_change(change_m, first.dbh_error_m, last.dbh_error_m);
+  if (const auto years = years_between_stems(first, last)) row.growth_m_per_year = change_m / *years;
+}
+
 void Derivation::derive_trees() {
   std::unordered_map<TreeId, double> weakest;
   for (const MatchRow& match : tables_.matches)
@@ -288,9 +298,7 @@ void Derivation::derive_trees() {
       if (first == nullptr) first = &s;
       last = &s;
     }
-    if (first != nullptr && first != last)
-      if (const auto years = years_between_stems(*first, *last))
-        row.growth_m_per_year = (*last->stem->dbh_m - *first->stem->dbh_m) / *years;
+    if (first != nullptr && first != last) set_growth(row, *first, *last);
     if (!row.dbh_m) row.flags.push_back("no_dbh");
     if (const auto found = weakest.find(row.tree); found != weakest.end()) row.confidence = found->second;
     if (surveys_.size() >= 2) row.fate = fate_at(tree, row, surveys_.size() - 2);

@@ -60,6 +60,8 @@ struct TreeRow {
   int times_seen = 0;                  ///< surveys
   std::vector<std::optional<double>> dbh_per_inventory_m;  ///< in the order of Tables::inventories
   std::optional<double> growth_m_per_year;                 ///< first to last measured DBH
+  InventoryId growth_from, growth_to;                      ///< the surveys of these two, where there are two
+  ChangeClass growth = ChangeClass::unknown;               ///< of the change between them
   double confidence = 1.0;             ///< of its weakest match
   std::vector<std::string> flags;
   std::string note, edited_by;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/project/commands.hpp"
 #include "core/project/regroup_commands.hpp"
 #include "ui/frame.hpp"
 
@@ -31,6 +32,8 @@ void project_reasons(Reasons& r, const Project& project, const ViewState& view, 
   const bool busy = status.running() != nullptr;
   r.unless(!busy, {file_new, file_open, file_demo, align_run}, "Wait until the running job is done, or cancel it");
   r.unless(busy, {align_cancel}, "No job is running");
+  r.unless(view.zoom_percent < status.most_zoom_percent, {view_zoom_in}, status.most_zoom_percent < 200.0 ? "The window is too small for larger text" : "The text cannot be larger");
+  r.unless(view.zoom_percent > 80.0, {view_zoom_out}, "The text cannot be smaller");
   r.unless(!state.inventories.empty(), {file_save, file_save_as, file_underlay, view_fit, view_blink}, "Add inventories first");
   r.unless(!view.underlays.empty(), {view_underlays}, "There is no underlay: add one in the menu File");
   r.unless(project.can_undo(), {edit_undo}, "Nothing to undo");
@@ -80,6 +83,10 @@ void one_tree_reasons(Reasons& r, const ProjectState& state, const Derived& deri
   r.unless(tree.stems.size() >= 2, {review_unlink}, "This tree was seen in one survey only: there is nothing to unlink");
   r.unless(derived.tables.inventories.size() >= 2, {review_link, review_swap, review_merge}, "Linking needs two aligned surveys");
   r.unless(tree.fate_by_hand.has_value(), {review_clear_fate}, "No fate was set by hand");
+  for (const auto& [id, fate] : {std::pair{review_removed, Fate::removed}, {review_missed_earlier, Fate::missed_earlier}, {review_ingrowth, Fate::ingrowth}}) {
+    const std::string contradicted = why_not_fate(state, view.selected_tree, fate);
+    r.unless(contradicted.empty(), {id}, contradicted);
+  }
   const StemRef first = unlink_target(state, view);
   const std::string why_not = first.index < 0 ? "This tree was seen in one survey only: there is nothing to split" : why_not_split(state, first);
   r.unless(why_not.empty(), {review_split}, why_not);

@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <utility>
+
 namespace stemwise::ui {
 namespace {
 
@@ -16,7 +18,8 @@ bool typed(char32_t character) {
 bool pressed(const Action& a) {
   if (a.id == ActionId::help_keys) return typed('?');
   const ImGuiIO& io = ImGui::GetIO();
-  if (a.chord.key == Key::none || io.KeyCtrl != a.chord.ctrl || io.KeyShift != a.chord.shift || io.KeyAlt != a.chord.alt) return false;
+  const bool shift = io.KeyShift && a.chord.key != key('=');  // plus is written with Shift on many keyboards
+  if (a.chord.key == Key::none || io.KeyCtrl != a.chord.ctrl || shift != a.chord.shift || io.KeyAlt != a.chord.alt) return false;
   return ImGui::IsKeyPressed(static_cast<int>(a.chord.key), false);
 }
 
@@ -30,12 +33,19 @@ bool taken_by_focus(const Action& a) { return a.chord == KeyChord{Key::space} &&
 
 }  // namespace
 
-void run_keys(const Availabilities& available, Requests& requests) {
+void ActionKeys::run(const Availabilities& available, Requests& requests) {
+  const auto run_one = [&](ActionId id) {
+    if (available[static_cast<std::size_t>(id)].enabled()) requests.run(id);
+  };
+  for (const ActionId id : std::exchange(waiting_, {})) run_one(id);
   const bool typing = ImGui::GetIO().WantTextInput;
   for (const Action& a : all_actions()) {
     if (!pressed(a) || (typing && belongs_to_text_field(a)) || taken_by_focus(a)) continue;
-    if (available[static_cast<std::size_t>(a.id)].enabled()) requests.run(a.id);
+    if (a.chord.alt) GImGui->NavWindowingToggleLayer = false;  // letting Alt go then does not lead into the menu bar
+    if (typing) waiting_.push_back(a.id);
+    else run_one(a.id);
   }
+  if (!waiting_.empty()) ImGui::ClearActiveID();
 }
 
 }  // namespace stemwise::ui

@@ -1,11 +1,20 @@
 #pragma once
+#include <vector>
+
 #include "ui/actions/action.hpp"
 #include "ui/requests.hpp"
 
 namespace stemwise::ui {
 
-/// Runs the actions whose keys went down in this frame; not while text is being typed. Chords with Ctrl work there too,
-/// except those that text fields use themselves (Ctrl+Z, Ctrl+Y).
-void run_keys(const Availabilities& available, Requests& requests);
+/// Actions by their keys; not while text is being typed. Chords with Ctrl work there too, except those that text fields use
+/// themselves (Ctrl+Z, Ctrl+Y): the field is left first, so that what was typed is in the project when the action runs.
+class ActionKeys {
+ public:
+  /// Once a frame, before the panels are drawn.
+  void run(const Availabilities& available, Requests& requests);
+
+ private:
+  std::vector<ActionId> waiting_;  ///< for the field to be left
+};
 
 }  // namespace stemwise::ui

@@ -30,18 +30,11 @@ std::array<Rect, 4> history_columns(const Rect& row) {
 }
 
 std::string growth_sentence(const Frame& frame, const TreeRow& tree) {
-  const std::vector<const MatchRow*> matches = frame.derived.matches_of(tree.tree);
-  if (!tree.growth_m_per_year) {
-    return tree.times_seen < 2 ? "Seen in one survey only: no growth yet." : "No growth rate: a DBH or a date is missing.";
-  }
-  std::string text = "Growth " + fixed(*tree.growth_m_per_year * 1000.0, 1) + " mm per year";
-  if (!matches.empty()) {
-    const MatchRow& last = *matches.back();
-    const std::string span = matches.size() < 2 ? "" : survey_label(frame.state(), last.a.inventory) + " to " + survey_label(frame.state(), last.b.inventory) + ": ";
-    if (last.change == ChangeClass::within_error) text += "; " + span + "within error";
-    if (last.change == ChangeClass::shrank) text += "; " + span + "shrank";
-  }
-  return text;
+  if (!tree.growth_from) return tree.times_seen < 2 ? "Seen in one survey only: no growth yet." : "No growth: its DBH was measured once only.";
+  const std::string span = " from " + survey_label(frame.state(), tree.growth_from) + " to " + survey_label(frame.state(), tree.growth_to);
+  const char* sense = tree.growth == ChangeClass::within_error ? ", within the error" : tree.growth == ChangeClass::shrank ? ", shrank more than the error" : "";
+  if (!tree.growth_m_per_year) return "No growth rate" + span + ": a date is missing" + sense;
+  return "Growth " + fixed(*tree.growth_m_per_year * 1000.0, 1) + " mm per year" + span + sense;
 }
 
 }  // namespace
@@ -281,11 +274,15 @@ void Inspector::draw_alternatives(Widgets& w, Frame& frame, const TreeRow& tree)
 void Inspector::draw_note(Widgets& w, Frame& frame, const TreeRow& tree) {
   w.gap(10);
   if (noted_ != tree.tree) {
+    if (is_note_typed_ && frame.state().trees.contains(noted_)) frame.requests.emit(request::SetNote{noted_, note_});  // left without the field's knowing
+    is_note_typed_ = false;
     noted_ = tree.tree;
     note_ = tree.note;
   }
-  w.input("review/note", note_, {.hint = "Add a note for the edit log", .lines = 3});
-  if (ImGui::IsItemDeactivatedAfterEdit() && note_ != tree.note) frame.requests.emit(request::SetNote{tree.tree, note_});
+  if (w.input("review/note", note_, {.hint = "Add a note for the edit log", .lines = 3})) is_note_typed_ = note_ != tree.note;
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  if (note_ != tree.note) frame.requests.emit(request::SetNote{tree.tree, note_});
+  is_note_typed_ = false;
 }
 
 }  // namespace stemwise::ui

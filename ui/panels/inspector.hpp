@@ -34,6 +34,7 @@ class Inspector {
   std::vector<Neighbour> neighbours_;
   TreeId noted_;        ///< the tree whose note is in the field
   std::string note_;
+  bool is_note_typed_ = false;  ///< and not in the project yet
 };
 
 }  // namespace stemwise::ui

@@ -10,6 +10,17 @@
 #include "ui/text/format.hpp"
 
 namespace stemwise::ui {
+namespace {
+
+const char* role_of(const ProjectState& state, InventoryId id) {
+  if (id == state.reference) return "The reference: all others are aligned to it";
+  if (state.is_placed(id)) return "Aligned to the reference";
+  const auto tried = state.alignments.find(id);
+  if (tried == state.alignments.end() || tried->second.status == AlignmentStatus::unaligned) return "Not aligned to the reference yet";
+  return tried->second.status == AlignmentStatus::probable ? "Has a probable pose that waits for a decision, in step 2" : "Could not be aligned: step 2 says why";
+}
+
+}  // namespace
 
 void InventoryDetails::draw(Widgets& w, Frame& frame) {
   const ProjectState& state = frame.state();
@@ -18,7 +29,7 @@ void InventoryDetails::draw(Widgets& w, Frame& frame) {
   if (inventory == nullptr) return;
   w.text(inventory->name, TextRole::title);
   w.record_last("details/name", inventory->name);
-  w.text(inventory->id == state.reference ? "The reference: all others are aligned to it" : "Will be aligned to the reference", TextRole::table, Tone::secondary);
+  w.text(role_of(state, inventory->id), TextRole::table, Tone::secondary);
   if (counts_.id != inventory->id || counts_.revision != frame.revision) {
     count(*inventory);
     counts_.revision = frame.revision;

@@ -2,6 +2,12 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
 
 #include "ui/widgets/widgets.hpp"
 
@@ -21,6 +27,21 @@ class FieldPadding {
   FieldPadding(const FieldPadding&) = delete;
   FieldPadding& operator=(const FieldPadding&) = delete;
 };
+
+/// Letters of numbers only; a decimal comma is a decimal point.
+int only_of_numbers(ImGuiInputTextCallbackData* data) {
+  if (data->EventChar == ',') data->EventChar = '.';
+  if (data->EventChar == 0x2212) data->EventChar = '-';  // the true minus that the window itself shows
+  return data->EventChar < 128 && std::strchr("0123456789.+-eE", static_cast<int>(data->EventChar)) != nullptr ? 0 : 1;
+}
+
+/// Nothing unless the whole text is one finite number.
+std::optional<double> number_from_text(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
 
 }  // namespace
 
@@ -127,8 +148,23 @@ bool Widgets::number(const std::string& path, double& value, const char* format,
   const FieldPadding padding(*this);
   ImGui::PushID(path.c_str());
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
-  const bool changed = ImGui::InputDouble("##number", &value, 0.0, 0.0, format, ImGuiInputTextFlags_AutoSelectAll);
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  bool changed = false;
+  if (ImGui::InputText("##number", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter, only_of_numbers)) {
+    const std::optional<double> typed = number_from_text(text.data());
+    changed = typed.has_value();
+    if (typed) value = *typed;
+    no_number_ = typed ? "" : path;
+  }
+  const bool refused = no_number_ == path && ImGui::IsItemActive();
   record_last(path, std::to_string(value), true, true);
+  if (refused) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    outline({low.x, low.y, high.x - low.x, high.y - low.y}, tokens().warning, px(6));
+    record(path + "/refused", {low.x, low.y, high.x - low.x, high.y - low.y}, std::to_string(value));
+    tooltip_at(low.x, high.y + px(4), "This is no number. Without another one the value stays as it was.");
+  }
   ImGui::PopID();
   return changed;
 }

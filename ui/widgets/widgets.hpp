@@ -77,6 +77,7 @@ class Widgets {
   bool input(const std::string& path, std::string& value, const InputLook& look = {});
   /// A field for a file's path with a button beside it; true: the button was pressed.
   bool path_field(const std::string& path, std::string& value, const std::string& browse_path, const InputLook& look = {});
+  /// A decimal comma counts as a point. While the text is no number the value stays, and the field says so.
   bool number(const std::string& path, double& value, const char* format, float width_px = 0.0f);
   /// `format`: printf's, of a float ("%.0f %%").
   bool slider(const std::string& path, float& value, float low, float high, const char* format, float width_px = 0.0f);
@@ -107,6 +108,8 @@ class Widgets {
   void draw_button(const Rect& rect, const std::string& label, const ButtonLook& look, bool hovered, bool held);
   void focus_ring(const Rect& rect);
   void place_list(const Rect& field, const std::vector<std::string>& items) const;
+
+  std::string no_number_;  ///< the number field whose text is none just now
 };
 
 }  // namespace stemwise::ui

@@ -20,9 +20,7 @@ std::string state_before(const ProjectState& state, StemRef a, StemRef b) {
 /// "Mark T-00412 as removed".
 std::string fate_edit_label(TreeId tree, std::optional<Fate> fate) {
   if (!fate) return "Clear the fate of " + tree_label(tree);
-  std::string word = fate_label(*fate);
-  word.front() = static_cast<char>(word.front() - 'A' + 'a');
-  return "Mark " + tree_label(tree) + " as " + word;
+  return "Mark " + tree_label(tree) + " as " + fate_in_sentence(*fate);
 }
 
 /// The stems of the tree from `b` on by date: what goes with `b` when it is not the same tree as the earlier `a`.
@@ -118,6 +116,21 @@ CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp) {
     record.edited_by = stamp.author;
     editor.set_tree(tree, std::move(record));
   });
+}
+
+std::string why_not_fate(const ProjectState& state, TreeId tree, Fate fate) {
+  std::vector<InventoryId> surveys = state.by_date();
+  std::erase_if(surveys, [&](InventoryId id) { return !state.is_placed(id); });
+  const auto record = state.trees.find(tree);
+  if (record == state.trees.end() || surveys.size() < 2) return "Fates come with the second aligned survey";
+  const auto seen = [&](InventoryId id) { return std::any_of(record->second.stems.begin(), record->second.stems.end(), [&](StemRef stem) { return stem.inventory == id; }); };
+  const auto name = [&](InventoryId id) { return state.find(id)->name; };
+  const InventoryId first = surveys.front(), before = surveys[surveys.size() - 2], last = surveys.back();
+  if (fate == Fate::removed && seen(last)) return "It was found in " + name(last) + ", the last survey: it is not gone";
+  if (fate != Fate::ingrowth && fate != Fate::missed_earlier) return "";
+  if (seen(before) && seen(last)) return "It was found in " + name(before) + " and in " + name(last) + ": between them it is neither new nor missed";
+  if (seen(first)) return "It was found in " + name(first) + ", the first survey: it is neither new nor was it missed before";
+  return "";
 }
 
 CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp) {

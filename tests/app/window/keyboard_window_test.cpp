@@ -74,5 +74,110 @@ TEST_F(KeyboardTest, InADialogTabStaysInside) {
   EXPECT_EQ(model().view.dialog, ui::Dialog::none);
 }
 
+/// A tree is selected and a note is being typed.
+class NoteTest : public WindowTest {
+ protected:
+  void type_note(const std::string& text) {
+    open_surveys();
+    align();
+    window().press(ui::ActionId::review_next);
+    window().settle();
+    tree_ = model().view.selected_tree;
+    ASSERT_TRUE(tree_);
+    ASSERT_TRUE(window().click("review/note"));
+    window().type(text);
+  }
+  TreeId tree_;
+};
+
+TEST_F(NoteTest, WhatIsBeingTypedIsInTheProjectWhenAKeySavesIt) {
+  type_note("forked at 2 m");
+  window().press(ui::ActionId::file_save);
+  window().frames(3);
+  EXPECT_EQ(state().trees.at(tree_).note, "forked at 2 m");
+  EXPECT_EQ(model().view.dialog, ui::Dialog::save_project);
+}
+
+TEST_F(NoteTest, WhatIsBeingTypedIsKeptWhenACommandIsSearchedFor) {
+  type_note("leans");
+  window().press(ui::ActionId::help_palette);
+  window().frames(3);
+  window().press({ui::Key::escape});
+  window().frames(2);
+  window().press(ui::ActionId::review_next);
+  window().settle();
+  EXPECT_NE(model().view.selected_tree, tree_);
+  EXPECT_EQ(state().trees.at(tree_).note, "leans");
+  EXPECT_EQ(state().edit_log.back().after, "leans");
+}
+
+TEST_F(NoteTest, ClosingTheWindowAsksForWhatIsBeingTyped) {
+  type_note("to be felled");
+  window().desk().ask_to_close();
+  window().frames(4);
+  EXPECT_EQ(state().trees.at(tree_).note, "to be felled");
+  EXPECT_EQ(model().view.dialog, ui::Dialog::leave);
+  EXPECT_FALSE(window().desk().wants_close());
+}
+
+TEST_F(KeyboardTest, EnterChoosesInAListAndPressesAButtonButNotWithTheStrokeThatEndsAText) {
+  open_surveys();
+  align();
+  window().press(ui::ActionId::step_report);
+  window().frames(3);
+  ASSERT_TRUE(tab_to("export/format"));
+  const std::string before = window().value("export/format");
+  window().press({ui::Key::enter});
+  window().frames(3);
+  window().press({ui::Key::down});
+  window().frames(2);
+  window().press({ui::Key::enter});
+  window().frames(3);
+  EXPECT_NE(window().value("export/format"), before);
+  ASSERT_TRUE(window().click("report/area"));
+  window().type("2");
+  const std::size_t jobs = model().jobs.views().size();
+  window().press({ui::Key::enter});
+  window().frames(5);
+  EXPECT_EQ(model().jobs.views().size(), jobs);
+  EXPECT_DOUBLE_EQ(model().view.report_area_ha, 2.0);
+}
+
+TEST_F(KeyboardTest, KeysOfTheMapLeaveTheFocusWhereItIs) {
+  open_surveys();
+  align();
+  window().press(ui::ActionId::step_review);
+  window().frames(2);
+  window().press(ui::ActionId::view_fit);
+  window().frames(2);
+  EXPECT_EQ(window().desk().focused(), "");
+  window().press(ui::ActionId::color_dbh);
+  window().frames(3);
+  EXPECT_EQ(model().view.color_by, ui::ColorBy::dbh);
+  EXPECT_EQ(window().desk().focused(), "");
+  window().press(ui::ActionId::view_blink);
+  window().frames(2);
+  EXPECT_TRUE(model().view.blink);
+  EXPECT_EQ(model().view.step, ui::Step::review);
+}
+
+TEST_F(WindowTest, ANumberFieldTakesADecimalCommaAndKeepsItsValueWhileTheTextIsNoNumber) {
+  open_surveys();
+  align();
+  window().press(ui::ActionId::step_report);
+  window().settle();
+  ASSERT_TRUE(window().fill("report/area", "1,5"));
+  EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1.5);
+  ASSERT_TRUE(window().click("report/area"));
+  window().press({ui::key('A'), true});
+  window().type("1.37,5");
+  window().frames(2);
+  EXPECT_TRUE(window().desk().registry().find("report/area/refused") != nullptr);
+  EXPECT_NEAR(model().view.report_area_ha, 1.37, 1e-9);  // what was a number before the second comma
+  window().press({ui::Key::escape});  // as before the typing
+  window().frames(2);
+  EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1.5);
+}
+
 }  // namespace
 }  // namespace stemwise

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/rough_poses.hpp"
+#include "app/window/requests.hpp"
 #include "tests/app/window/window_fixture.hpp"
 #include "ui/frame.hpp"
 
@@ -98,8 +100,40 @@ TEST_F(RescueTest, TwoPairsClickedOnTheMapAlignWhatWasRefused) {
   EXPECT_LT(error_m(), 1.0);
   for (const auto& [a, b] : {pairs.front(), pairs.back()}) EXPECT_EQ(state().tree_of(a), state().tree_of(b));
   EXPECT_TRUE(model().view.pairs.empty());
+  // The pairs are decisions now: they are in the log, and a later run keeps to them.
+  for (const auto& [a, b] : {pairs.front(), pairs.back()}) EXPECT_EQ(state().matches.at(ordered(a, b)).state, MatchState::linked);
+  EXPECT_EQ(state().edit_log.size(), 2u);
+  align();
+  EXPECT_TRUE(state().is_placed(later_)) << state().alignments.at(later_).reason;
+  window().press(ui::ActionId::edit_undo);
   window().press(ui::ActionId::edit_undo);
   EXPECT_EQ(state(), before);
+}
+
+TEST_F(RescueTest, APairThatLiesFarFromWhereTheOtherLaysItIsTold) {
+  open_corner(4);
+  const auto pairs = true_pairs();
+  ASSERT_GE(pairs.size(), 2u);
+  const auto place = [&](StemRef s) { return Eigen::Vector2d(state().find(s)->x_m, state().find(s)->y_m); };
+  StemRef wrong = pairs.back().first;  // another stem of the reference, some metres from the right one
+  double best_m = 1e9;
+  const Inventory& reference = *state().find(state().reference);
+  for (std::size_t i = 0; i < reference.stems.size(); ++i) {
+    const StemRef stem{reference.id, static_cast<std::int64_t>(i)};
+    const double change_m = std::abs((place(stem) - place(pairs.front().first)).norm() - (place(pairs.back().first) - place(pairs.front().first)).norm());
+    if (stem == pairs.front().first || change_m < 2.5 || change_m > 4.5 || change_m > best_m) continue;
+    best_m = change_m;
+    wrong = stem;
+  }
+  ASSERT_NE(wrong, pairs.back().first);
+  model().view.pairs = {pairs.front(), {wrong, pairs.back().second}};
+  align_by_pairs(model());
+  window().settle();
+  ASSERT_TRUE(state().is_placed(later_));
+  const auto& notices = model().notices.all();
+  const auto told = std::find_if(notices.begin(), notices.end(), [](const ui::Notice& n) { return n.title == "Pairs that you named lie far apart"; });
+  ASSERT_NE(told, notices.end());
+  EXPECT_NE(told->details.front().text.find(" m apart"), std::string::npos);
 }
 
 TEST_F(RescueTest, APairOfTwoStemsOfOneSurveyIsToldAndNotTaken) {
@@ -132,6 +166,12 @@ TEST_F(RescueTest, ARoughPositionAndHeadingAlignWhatWasRefused) {
   window().settle();
   const InventoryAlignment& after = state().alignments.at(later_);
   EXPECT_NE(after.status, AlignmentStatus::failed) << after.reason;
+  // It is kept in the project, for later runs and other days.
+  ASSERT_EQ(rough_poses(state()).size(), 1u);
+  EXPECT_DOUBLE_EQ(rough_poses(state()).front().radius_m, 20.0);
+  ProjectState other = state();
+  other.reference = later_;
+  EXPECT_TRUE(rough_poses(other).empty());  // it was said about this reference
 }
 
 TEST_F(WindowTest, BeforeAndAfterAlignmentStandSideBySideAndTheSecondBestPoseIsAGhost) {

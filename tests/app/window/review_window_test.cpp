@@ -167,5 +167,50 @@ TEST_F(WindowTest, RightAfterUnlinkingTheStemThatStandsThereIsAnAlternative) {
   EXPECT_EQ(state().tree_of(stems[0]), state().tree_of(stems[1]));
 }
 
+TEST_F(WindowTest, EveryDecisionMovesTheProgressOn) {
+  open_surveys(400);
+  align();
+  const auto decided = [&] { return model().document.derived().decided; };
+  ASSERT_EQ(decided(), 0);
+  const ui::ActionId decisions[] = {ui::ActionId::review_reject, ui::ActionId::review_accept, ui::ActionId::review_removed};
+  for (int i = 0; i < 6; ++i) {
+    window().press(ui::ActionId::review_next);
+    window().settle();
+    const QueueRow* row = model().document.derived().doubt(model().view.selected_tree);
+    ASSERT_NE(row, nullptr);
+    window().press(row->match ? decisions[i % 2] : decisions[1 + i % 2]);
+    window().settle();
+    EXPECT_EQ(decided(), i + 1);
+  }
+  const std::string said = window().value("queue/progress");
+  EXPECT_EQ(said.find("6 of "), 0u) << said;
+}
+
+TEST_F(WindowTest, AFateThatTheSightingsContradictIsGreyedOutAndSkippedInAGroup) {
+  open_surveys(400);
+  align();
+  window().press(ui::ActionId::step_review);
+  window().frames(2);
+  const TreeId tree = lonely_matched_tree();
+  ASSERT_TRUE(tree);
+  click_in_map(tree);
+  window().settle();
+  for (const ui::ActionId id : {ui::ActionId::review_ingrowth, ui::ActionId::review_missed_earlier, ui::ActionId::review_removed}) window().press(id);
+  window().settle();
+  EXPECT_FALSE(state().trees.at(tree).fate_by_hand);
+  EXPECT_FALSE(why_not_fate(state(), tree, Fate::ingrowth).empty());
+  const auto gone = std::find_if(model().document.derived().tables.trees.begin(), model().document.derived().tables.trees.end(), [](const TreeRow& row) { return row.fate == Fate::missing; });
+  ASSERT_NE(gone, model().document.derived().tables.trees.end());
+  const TreeId missing = gone->tree;
+  select_group(model(), {tree, missing});
+  window().frames(2);
+  window().press(ui::ActionId::review_removed);
+  window().settle();
+  EXPECT_EQ(state().trees.at(missing).fate_by_hand, Fate::removed);
+  EXPECT_FALSE(state().trees.at(tree).fate_by_hand);
+  ASSERT_FALSE(model().notices.all().empty());
+  EXPECT_NE(model().notices.all().front().title.find("1 tree was left"), std::string::npos) << model().notices.all().front().title;
+}
+
 }  // namespace
 }  // namespace stemwise
