@@ -41,7 +41,7 @@ class OverlayPainter {
 
   void panel(double x, double y, double width, double height) const {
     canvas_.rounded(x + 0.5, y + 0.5, width - 1.0, height - 1.0, 6.0);
-    canvas_.fill(colours_.panel.with_alpha(0.94));
+    canvas_.fill(colours_.panel);
     canvas_.rounded(x + 0.5, y + 0.5, width - 1.0, height - 1.0, 6.0);
     canvas_.stroke(colours_.line, 1.0);
   }
@@ -51,7 +51,7 @@ class OverlayPainter {
       const auto place = at({frame.low_m.x(), frame.high_m.y(), 0.0});
       const TextStyle words{12.5, Weight::semibold, frame.colour, Align::left, colours_.map};
       const double last_x = width_ - margin - canvas_.text_width(frame.caption, words);
-      if (place && place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 16.0, frame.caption, words);
+      if (place && place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 22.0, frame.caption, words);
     }
   }
 
