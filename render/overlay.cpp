@@ -113,9 +113,10 @@ class OverlayPainter {
 
   void selection() const {
     std::size_t rings = 0;
+    const bool is_group = options_.selected.size() > 1;  // close to the stems, so that many do not hide what they are around
     for (const TreeId tree : options_.selected) {
       const Mark* mark = scene_.find(tree);
-      if (mark && rings++ < most_rings) ring(*mark, colours_.text, 2.4, 6.0);
+      if (mark && rings++ < most_rings) ring(*mark, colours_.text, is_group ? 1.4 : 2.4, is_group ? 2.5 : 6.0);
     }
     if (options_.selected.size() == 1) doubt(options_.selected.front());
     for (const StemRef stem : options_.selected_stems) {

@@ -114,7 +114,9 @@ bool Shell::prepare(const ViewState& view, float display_scale) {
   const bool new_fonts = !impl_->prepared || impl_->widgets.fonts.scale() != wanted.scale;
   if (new_fonts) impl_->widgets.fonts.load(wanted.scale);
   if (new_fonts || !(wanted == impl_->applied)) apply_style(wanted);
-  ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1;  // Tab goes through all controls (FocusOrder), not only through text fields
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyMap[ImGuiKey_Tab] = -1;  // Tab goes through all controls (FocusOrder), not only through text fields
+  io.KeyMap[ImGuiKey_Home] = io.WantTextInput ? static_cast<int>(Key::home) : -1;  // else it shows everything, and moves no focus
   impl_->widgets.theme = impl_->applied = wanted;
   impl_->prepared = true;
   return new_fonts;

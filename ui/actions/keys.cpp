@@ -34,6 +34,7 @@ void run_keys(const Availabilities& available, Requests& requests) {
   const bool typing = ImGui::GetIO().WantTextInput;
   for (const Action& a : all_actions()) {
     if (!pressed(a) || (typing && belongs_to_text_field(a)) || taken_by_focus(a)) continue;
+    if (a.chord.alt) GImGui->NavWindowingToggleLayer = false;  // letting Alt go then does not lead into the menu bar
     if (available[static_cast<std::size_t>(a.id)].enabled()) requests.run(a.id);
   }
 }
