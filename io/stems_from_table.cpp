@@ -1,7 +1,9 @@
 #include "io/stems_from_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <string_view>
 
@@ -16,6 +18,12 @@
 
 namespace stemwise {
 namespace {
+
+std::string one_decimal(double value) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", value);
+  return text.data();
+}
 
 using K = ColumnKind;
 
@@ -183,7 +191,7 @@ class StemMaker {
     if (dbh && !columns_[K::dbh]) *dbh /= pi;
     if (dbh && *dbh > largest_dbh_m) {
       bad_ = true;
-      complain(row, *column, shown(table_.cell(row, *column)) + " is " + std::to_string(*dbh) + " m, expected a tree's diameter");
+      complain(row, *column, shown(table_.cell(row, *column)) + " is " + one_decimal(*dbh) + " m, expected a tree's diameter");
     } else if (dbh && *dbh < 0.0) {
       complain(row, *column, shown(table_.cell(row, *column)) + ", expected a diameter above 0; taken as not measured");
     } else if (dbh && *dbh > 0.0) {

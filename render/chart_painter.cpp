@@ -32,9 +32,7 @@ std::string value_text(const ChartAxis& axis, double value) {
 }
 
 ChartHit hit_of_bar(const ChartModel& chart, const ChartBars& series, const ChartBar& bar) {
-  const int decimals = bar.x_high - bar.x_low < 1.0 ? 2 : 1;
-  std::string text = number_text(bar.x_low, decimals) + " to " + number_text(bar.x_high, decimals) + " " + chart.x.unit + ": " +
-                     grouped_text(std::llround(bar.value)) + (bar.value == 1.0 ? " stem" : " stems");
+  std::string text = bar.label + ": " + grouped_text(std::llround(bar.value)) + (bar.value == 1.0 ? " stem" : " stems");
   if (chart.bars.size() > 1) text += " (" + series.name + ")";
   return {bar.trees, text};
 }

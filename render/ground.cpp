@@ -7,7 +7,8 @@ namespace stemwise::render {
 namespace {
 
 constexpr int most_nodes_per_side = 90;
-constexpr int rings_around_stems = 3;
+constexpr double reach_in_steps = 2.2;  ///< from the nearest stem to the edge of what is drawn
+constexpr int rings_around_stems = 4;     ///< known a little farther than that
 constexpr int smoothing_passes = 3;
 
 /// Mean base height of the stems around every node.
@@ -26,6 +27,23 @@ void take_means(const SceneModel& scene, Ground& ground) {
       ground.height_m[i] = sum[i] / count[i];
       ground.is_known[i] = 1;
     }
+}
+
+/// How far inside the drawn part every node lies: the reach less the distance to the nearest stem, in steps.
+void measure_reach(const SceneModel& scene, Ground& ground) {
+  constexpr int around = rings_around_stems;
+  std::vector<double> distance(ground.height_m.size(), reach_in_steps + 1.0);
+  for (const Mark& mark : scene.marks) {
+    const Eigen::Vector2d cell = (mark.base_m.head<2>() - ground.low_m) / ground.step_m;
+    const int column = static_cast<int>(std::lround(cell.x())), row = static_cast<int>(std::lround(cell.y()));
+    for (int r = std::max(0, row - around); r <= std::min(ground.rows - 1, row + around); ++r)
+      for (int c = std::max(0, column - around); c <= std::min(ground.columns - 1, column + around); ++c) {
+        double& nearest = distance[ground.at(c, r)];
+        nearest = std::min(nearest, (Eigen::Vector2d(c, r) - cell).norm());
+      }
+  }
+  ground.inside.resize(distance.size());
+  for (std::size_t i = 0; i < distance.size(); ++i) ground.inside[i] = static_cast<float>(reach_in_steps - distance[i]);
 }
 
 /// The mean of the known nodes in the 3 x 3 around one; nothing known: false.
@@ -90,6 +108,7 @@ Ground estimate_ground(const SceneModel& scene) {
   ground.is_known.assign(ground.height_m.size(), 0);
   take_means(scene, ground);
   grow_and_smooth(ground);
+  measure_reach(scene, ground);
   return ground;
 }
 

@@ -14,7 +14,8 @@ struct Ground {
   int columns = 0;
   int rows = 0;
   std::vector<double> height_m;      ///< row by row from the south, nodes
-  std::vector<std::uint8_t> is_known;  ///< nodes near stems; the others are not drawn
+  std::vector<std::uint8_t> is_known;  ///< nodes near stems, a ring farther than what is drawn
+  std::vector<float> inside;           ///< at the nodes: at least 0 where it is drawn; it ends where this is 0
 
   bool empty() const { return columns < 2 || rows < 2; }
   std::size_t at(int column, int row) const { return static_cast<std::size_t>(row) * columns + column; }

@@ -49,6 +49,35 @@ void blur(std::vector<float>& grid, const HeatGrid& shape, double sigma_nodes) {
   blur(grid, shape.columns, 1, shape.rows, shape.columns, sigma_nodes);
 }
 
+/// Marks the nodes of one row that lie in the polygon: between every odd and the following even crossing of its outline.
+void mark_row(const CoverageShape& shape, const HeatGrid& heat, int row, std::vector<float>& mask) {
+  const double y = heat.low_m.y() + row * heat.step_m;
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < shape.corners_m.size(); ++i) {
+    const Eigen::Vector2d &a = shape.corners_m[i], &b = shape.corners_m[(i + 1) % shape.corners_m.size()];
+    if ((a.y() <= y) != (b.y() <= y)) crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    const int first = std::max(0, static_cast<int>(std::ceil((crossings[i] - heat.low_m.x()) / heat.step_m)));
+    const int last = std::min(heat.columns - 1, static_cast<int>(std::floor((crossings[i + 1] - heat.low_m.x()) / heat.step_m)));
+    for (int column = first; column <= last; ++column) mask[heat.at(column, row)] = 1.0F;
+  }
+}
+
+/// Above 0 where some survey looked, 0 about at the outline of its coverage; above 0 everywhere when no coverage is known.
+std::vector<float> coverage_field(const SceneModel& scene, const HeatGrid& heat) {
+  std::vector<float> mask(heat.value.size(), scene.coverages.empty() ? 1.0F : 0.0F);
+  if (scene.coverages.empty()) return mask;
+  for (const CoverageShape& shape : scene.coverages)
+    for (int row = 0; row < heat.rows; ++row) mark_row(shape, heat, row, mask);
+  constexpr double sigma_nodes = 1.0;  // turns the nodes' stairs into a line
+  blur(mask, heat, sigma_nodes);
+  const auto whole = static_cast<float>(2.0 * std::numbers::pi * sigma_nodes * sigma_nodes);
+  for (float& share : mask) share = share / whole - 0.5F;
+  return mask;
+}
+
 HeatGrid empty_grid(const SceneModel& scene) {
   HeatGrid heat;
   const Eigen::Vector2d extent = (scene.high_m - scene.low_m).head<2>();
@@ -125,9 +154,11 @@ HeatGrid estimate_heat(const SceneModel& scene, HeatMap kind) {
   blur(heat.value, heat, sigma_nodes);
   blur(weight, heat, sigma_nodes);
   const auto per_ha = static_cast<float>(sq_m_per_ha / (2.0 * std::numbers::pi * sigma_m * sigma_m));
+  heat.inside = coverage_field(scene, heat);
   for (std::size_t i = 0; i < heat.value.size(); ++i) {
-    heat.is_known[i] = weight[i] >= least_weight;
-    heat.value[i] = kind == HeatMap::density ? heat.value[i] * per_ha : heat.is_known[i] ? heat.value[i] / weight[i] : 0.0F;
+    heat.inside[i] = std::min(heat.inside[i], weight[i] / least_weight - 1.0F);
+    heat.is_known[i] = heat.inside[i] >= 0.0F;
+    heat.value[i] = kind == HeatMap::density ? heat.value[i] * per_ha : weight[i] > 0.0F ? heat.value[i] / weight[i] : 0.0F;
   }
   describe(heat, kind);
   if (kind == HeatMap::times_seen && scene.surveys >= 2) {

@@ -8,7 +8,7 @@
 namespace stemwise::render {
 
 /// A smooth surface over the map: how dense the stems stand, how often they were seen, how large their residuals are. Where
-/// no stems are near it is not known and not drawn.
+/// no stems are near, and outside every survey's coverage, it is not known and not drawn.
 struct HeatGrid {
   Eigen::Vector2d low_m = Eigen::Vector2d::Zero();
   double step_m = 1.0;
@@ -16,6 +16,7 @@ struct HeatGrid {
   int rows = 0;
   std::vector<float> value;            ///< at the nodes, row by row from the south: stems per ha, surveys, or metres
   std::vector<std::uint8_t> is_known;
+  std::vector<float> inside;           ///< at the nodes: at least 0 where it is drawn; it ends where this is 0
   double low = 0.0, high = 1.0;        ///< of the colours
   /// Around under-observed areas, where trees were seen in fewer than (n + 1) / 2 of n surveys on average: only for times seen.
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> under_observed_m;

@@ -41,7 +41,7 @@ class OverlayPainter {
 
   void panel(double x, double y, double width, double height) const {
     canvas_.rounded(x + 0.5, y + 0.5, width - 1.0, height - 1.0, 6.0);
-    canvas_.fill(colours_.panel.with_alpha(0.94));
+    canvas_.fill(colours_.panel);
     canvas_.rounded(x + 0.5, y + 0.5, width - 1.0, height - 1.0, 6.0);
     canvas_.stroke(colours_.line, 1.0);
   }
@@ -51,7 +51,7 @@ class OverlayPainter {
       const auto place = at({frame.low_m.x(), frame.high_m.y(), 0.0});
       const TextStyle words{12.5, Weight::semibold, frame.colour, Align::left, colours_.map};
       const double last_x = width_ - margin - canvas_.text_width(frame.caption, words);
-      if (place && place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 16.0, frame.caption, words);
+      if (place && place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 22.0, frame.caption, words);
     }
   }
 
@@ -113,9 +113,10 @@ class OverlayPainter {
 
   void selection() const {
     std::size_t rings = 0;
+    const bool is_group = options_.selected.size() > 1;  // close to the stems, so that many do not hide what they are around
     for (const TreeId tree : options_.selected) {
       const Mark* mark = scene_.find(tree);
-      if (mark && rings++ < most_rings) ring(*mark, colours_.text, 2.4, 6.0);
+      if (mark && rings++ < most_rings) ring(*mark, colours_.text, is_group ? 1.4 : 2.4, is_group ? 2.5 : 6.0);
     }
     if (options_.selected.size() == 1) doubt(options_.selected.front());
     for (const StemRef stem : options_.selected_stems) {

@@ -192,9 +192,15 @@ class SceneBuilder {
     scene_.side_frames.push_back(placed);
   }
 
+  const char* standing_of(InventoryId id) const {
+    const auto found = state_.alignments.find(id);
+    const AlignmentStatus status = found == state_.alignments.end() ? AlignmentStatus::unaligned : found->second.status;
+    return status == AlignmentStatus::failed ? "refused" : status == AlignmentStatus::probable ? "probable pose" : "not aligned yet";
+  }
+
   void add_side_frame(const Inventory& inventory, const Eigen::Vector2d& offset, const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
     const Rgba colour = colouring_.colour_of_inventory(inventory.id);
-    scene_.side_frames.push_back({inventory.id, offset, low, high, inventory.name + ", not aligned yet", colour});
+    scene_.side_frames.push_back({inventory.id, offset, low, high, inventory.name + ", " + standing_of(inventory.id), colour});
     double mean_z_m = 0.0;
     int count = 0;
     for (const Stem& stem : inventory.stems)

@@ -1,92 +1,91 @@
 #!/usr/bin/env bash
-# Makes the window's pictures of README and guide, without a display: tools/guide_pictures.sh [WIDTHxHEIGHT] [light|dark]
+# Makes the window's pictures of README and guide, without a display:
+#   tools/guide_pictures.sh [WIDTHxHEIGHT] [light|dark] [CHAPTER...]
+# Chapters (all of them when none is named): import walk underlay states decisions dialogs compare
 set -euo pipefail
 cd "$(dirname "$0")/.."
 size=${1:-1280x720}
 theme=${2:-light}
+chapters=${*:3}
+width=${size%x*}
+height=${size#*x}
 stemwise=build/release/bin/stemwise
 out=docs/guide/$theme-$size
 mkdir -p "$out"
-script=$(mktemp)
 table=$(mktemp -d)
-trap 'rm -rf "$script" "$table"' EXIT
-# A table as people have them: no unit, one row that is none, codes for the status.
-{ echo "nr;x;y;bhd;art;status"; for i in $(seq 1 60); do echo "$i;$((i * 7 % 50)),$((i % 10));$((i * 13 % 40)),5;$((12 + i * 5 % 38));$([ $((i % 3)) = 0 ] && echo Fichte || echo Buche);$([ $((i % 9)) = 0 ] && echo T || echo L)"; done; echo "61;here;3,5;20;Buche;L"; } > "$table/plot_2021.csv"
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
+trap 'rm -rf "$table"' EXIT
+export SOURCE_DATE_EPOCH=1795860000  # the time of every decision
+export TZ=UTC
+source tools/guide_data.sh
+
+# play [FILE...] < LINES: runs the lines of app/window/window_script.hpp in a window that opens the files. "shot NAME" takes a
+# picture when everything is at rest and the mouse stands aside; "config" may be the first line.
+play() {
+  local lines=$table/lines
+  sed -e "s|^shot \(.*\)|settle\nscreenshot $out/\1.png|" > "$table/told"
+  { grep '^config ' "$table/told" || true; printf 'size %s %s\ntheme %s\n' "$width" "$height" "$theme"; grep -v '^config ' "$table/told"; } > "$lines"
+  "$stemwise" gui --script "$lines" "$@"
+}
+
+# Lines that many chapters begin with.
+align='do step.align
+click align/run
+settle'
+demo="click empty/demo
 settle
-screenshot $out/11-import.png
-END
-"$stemwise" gui --script "$script" "$table/plot_2021.csv"
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
-screenshot $out/1-empty.png
+$align"
+aside='move 10 300'
+
+chapter_import() {
+  make_table
+  play "$table/plot_2021.csv" <<< 'shot 11-import'
+  make_broken_tables
+  play "$table/broken/stand_2022.csv" "$table/broken/weather.csv" <<< 'shot 27-import-errors'
+}
+
+# From the empty window to the report.
+chapter_walk() {
+  play << END
+shot 1-empty
 click empty/demo
 settle
 do step.inventories
-settle
-screenshot $out/2-inventories.png
+shot 2-inventories
+$align
 do step.align
-click align/run
-settle
-do step.align
-move 10 300
+$aside
 wait 10
-screenshot $out/3-align.png
+shot 3-align
 do step.review
 key N
 wait 10
-settle
-screenshot $out/4-review.png
+shot 4-review
 do view.mode
-settle
-screenshot $out/5-review-3d.png
+shot 5-review-3d
 do view.mode
 do heat.times_seen
-settle
-screenshot $out/12-heat-map.png
+shot 12-heat-map
 do heat.times_seen
 click tabs/Matches
-settle
-screenshot $out/6-matches.png
+shot 6-matches
 click tabs/Growth
-settle
-screenshot $out/7-growth.png
+shot 7-growth
 do step.merge
-settle
-screenshot $out/8-merge.png
+shot 8-merge
 do step.report
 click tabs/Jobs
 wait 10
-screenshot $out/9-report.png
+shot 9-report
 do help.keys
-settle
-screenshot $out/10-keys.png
+shot 10-keys
 END
-"$stemwise" gui --script "$script"
-# A point cloud under the stems: what a scanner might have seen of a simulated forest.
-"$stemwise" simulate -o "$table/sim" --years 2018,2023 --stems 260 --area-ha 0.4 --seed 3 > /dev/null 2>&1
-awk -F, 'BEGIN { srand(1) }
-  NR > 1 {
-    d = ($5 > 0 ? $5 : 15) / 100; h = 1.3 + 30 * (1 - exp(-3.2 * d))
-    for (i = 0; i < 420; i++) {
-      a = 6.2832 * rand(); u = rand(); r = d / 2; z = h * 0.6 * rand()
-      if (u < 0.35) { z = 0.05 * rand(); r = 3.5 * sqrt(rand()) }
-      else if (u > 0.6) { t = rand(); z = h * (0.4 + 0.6 * t); r = (1 - t) * (1 + 5 * d) * sqrt(rand()) + 0.1 }
-      low = u < 0.35 ? 0 : z
-      printf "%.3f %.3f %.3f\n", $2 + $6 * low + r * cos(a), $3 + $7 * low + r * sin(a), $4 + z
-    }
-  }' "$table/sim/2023.csv" > "$table/points"
-{ printf 'ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\nend_header\n' "$(wc -l < "$table/points")"; cat "$table/points"; } > "$table/sim/scan_2023.ply"
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
+}
+
+chapter_underlay() {
+  make_scan
+  play "$table/sim/2018.csv" "$table/sim/2023.csv" << END
 settle
-do step.align
-click align/run
-settle
+$align
 do step.review
 do view.bottom
 do file.underlay
@@ -98,20 +97,19 @@ wait 10
 do view.mode
 settle
 click viewport/layers
-settle
-screenshot $out/13-underlay.png
+shot 13-underlay
 END
-"$stemwise" gui --script "$script" "$table/sim/2018.csv" "$table/sim/2023.csv"
+}
 
-# The states that a panel can be in: working, refused, and full. (Empty is the first picture.)
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
+# The states that a panel can be in: working, refused, and full (empty is the first picture); and the forms of steps 4 and 5.
+chapter_states() {
+  make_control_points
+  play << END
 click empty/demo
 settle
 do step.align
 click align/run
-move 10 300
+$aside
 screenshot $out/14-working.png
 settle
 do step.merge
@@ -120,68 +118,64 @@ click merge/kind/control
 fill merge/control_file $table/control.csv
 click tabs/Growth
 settle
-wheel $((${size%x*} - 100)) 400 -30
-move 10 300
-settle
-screenshot $out/15-control-points.png
+wheel $((width - 100)) 400 -30
+$aside
+shot 15-control-points
 do step.report
 click report/open_export
 click report/open_rules
 click growth/choose/0
 click growth/choose/0/Residual directions
-move 10 300
-settle
-screenshot $out/16-rules-and-rose.png
+$aside
+shot 16-rules-and-rose
+click report/open_rules
+click report/open_report
+click report/open_check
+$aside
+shot 29-field-check
 END
-# Points around the stand whose places agree to some centimetres; the last one was read wrongly.
-{ echo "x_m,y_m,lat,lon,height_m"
-  awk 'BEGIN { n = split("-245 -5 -145 0 -142 92 -240 88 -195 45 -175 20", p, " "); for (i = 1; i < n; i += 2) { e = (i * 7 % 5 - 2) * 0.03; x = p[i]; y = p[i + 1];
-    printf "%.2f,%.2f,%.8f,%.8f,%.2f\n", x, y, 48.77214 + (y + e + (i > 10 ? 14 : 0)) / 111206.0, 9.16621 + (x - e) / 73465.0, 412 } }'; } > "$table/control.csv"
-"$stemwise" gui --script "$script"
-"$stemwise" simulate -o "$table/a" --stems 400 --years 2015,2019 --seed 1 -q
-"$stemwise" simulate -o "$table/b" --stems 30 --years 2023,2027 --seed 2 -q
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
+  make_frames_and_track
+  play "$table"/frames/2019* "$table"/frames/2023* << END
 settle
-do step.align
-click align/run
+$align
+do step.merge
+wait 100
+click merge/kind/gnss
+fill merge/gnss_file $table/track.csv
 settle
+click tabs/Growth
+wheel $((width - 100)) 400 -30
+$aside
+shot 28-gnss-track
+END
+  make_strangers
+  play "$table/a/2015.csv" "$table/b/2023.csv" << END
+settle
+$align
 do step.align
 click align/survey/2023
 settle
 click align/rescue/2023
 click align/rescue/pick
 wait 100
-move 10 300
-screenshot $out/17-refused.png
+$aside
+shot 17-refused
 END
-"$stemwise" gui --script "$script" "$table/a/2015.csv" "$table/b/2023.csv"
-"$stemwise" simulate -o "$table/full" --stems 2200 --years 2003,2008,2013,2018,2023 --seed 5 -q
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
+  make_full
+  play "$table"/full/20*.csv << END
 settle
-do step.align
-click align/run
-settle
+$align
 do step.review
 key N
 wait 10
-settle
-screenshot $out/18-full.png
+shot 18-full
 END
-"$stemwise" gui --script "$script" "$table"/full/20*.csv
-# Decisions, their history, what the surveys contradict each other in; finding files and commands.
-export SOURCE_DATE_EPOCH=1795860000  # the decisions' time
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
-click empty/demo
-settle
-do step.align
-click align/run
-settle
+}
+
+# Decisions, their history, and what the surveys contradict each other in.
+chapter_decisions() {
+  play << END
+$demo
 do step.review
 key N
 settle
@@ -197,36 +191,90 @@ key A
 settle
 wait 100
 click tabs/Edit log
-move 10 300
-settle
-screenshot $out/19-edit-log.png
+$aside
+shot 19-edit-log
 click tabs/Conflicts
 click conflicts/row/0
 do step.merge
 click merge/tree
-move 10 300
-settle
-screenshot $out/20-conflicts.png
+$aside
+shot 20-conflicts
 do edit.history
-settle
-screenshot $out/21-history.png
+shot 21-history
 click dialog/Undo history/close
 do help.palette
 settle
 type colour
-settle
-screenshot $out/22-palette.png
+shot 22-palette
 END
-"$stemwise" gui --script "$script"
-cat > "$script" << END
-size ${size%x*} ${size#*x}
-theme $theme
+  play << END
+$demo
+do step.review
+wait 100
+do tool.lasso
+$(lasso_corners)
+key Enter
+$aside
+shot 30-group
+END
+}
+
+# A polygon in the middle of the map.
+lasso_corners() {
+  local middle=$(((272 + width - 360) / 2)) top=200
+  local deep=$((height * 28 / 100))
+  printf 'click-at %d %d\n' $((middle - 90)) $((top + 20)) $((middle + 60)) $top $((middle + 100)) $((top + deep / 2)) $((middle + 20)) $((top + deep)) $((middle - 80)) $((top + deep - 20))
+}
+
+chapter_dialogs() {
+  make_full
+  play << END
 do file.add
 settle
 fill files/path $table/full
 move 700 600
-settle
-screenshot $out/23-files.png
+shot 23-files
 END
-"$stemwise" gui --script "$script"
+  mkdir -p "$table/kept"
+  play << END
+config $table/kept
+$demo
+do step.review
+key N
+settle
+key A
+settle
+wait 100
+do file.quit
+shot 25-leave
+click leave/cancel
+do help.about
+shot 26-about
+click dialog/About Stemwise/close
+click menu/View
+click menu/more/Colour by
+shot 32-menu
+END
+  play << END
+config $table/kept
+shot 24-recovery
+END
+}
+
+# The last two surveys in one picture, with a bar between them.
+chapter_compare() {
+  play << END
+$demo
+do step.review
+key N
+wait 10
+settle
+do view.slide
+do color.inventory
+$aside
+shot 31-slide
+END
+}
+
+for chapter in ${chapters:-import walk underlay states decisions dialogs compare}; do "chapter_$chapter"; done
 echo "pictures in $out"

@@ -18,6 +18,24 @@ const ui::Action* action_named(const std::string& name) {
   return nullptr;
 }
 
+/// "Enter", "Escape", "Space", or a letter or digit.
+ui::KeyChord chord_named(const std::string& name) {
+  if (name == "Enter") return {ui::Key::enter};
+  if (name == "Escape") return {ui::Key::escape};
+  if (name == "Space") return {ui::Key::space};
+  return {ui::key(static_cast<char>(std::toupper(static_cast<unsigned char>(name.empty() ? ' ' : name.front()))))};
+}
+
+/// The folder that the first line names, where a window keeps what it remembers and what it saves by itself; "" for none.
+std::string config_of(std::ifstream& file) {
+  std::string verb, folder;
+  const auto start = file.tellg();
+  if (file >> verb && verb == "config" && std::getline(file >> std::ws, folder)) return folder;
+  file.clear();
+  file.seekg(start);
+  return "";
+}
+
 bool write_widgets(const std::string& path, HeadlessWindow& window) {
   std::ofstream file(path);
   file << registry_json(window.desk().registry()) << "\n";
@@ -38,7 +56,7 @@ bool run_line(HeadlessWindow& window, std::istringstream line) {
   if (verb == "click") return window.click(rest());
   if (verb == "double-click") return window.double_click(rest());
   if (verb == "type") return window.type(rest()), true;
-  if (verb == "key") return window.press({ui::key(static_cast<char>(std::toupper(rest().at(0))))}), true;
+  if (verb == "key") return window.press(chord_named(rest())), true;
   if (verb == "screenshot") return static_cast<bool>(window.screenshot(rest()));
   if (verb == "widgets") return write_widgets(rest(), window);
   if (verb == "fill") return line >> word, window.fill(word, rest());
@@ -84,6 +102,7 @@ int run_window_script(const WindowOptions& options) {
   }
   HeadlessOptions headless;
   headless.desk.paths = options.paths;
+  headless.desk.config_folder = config_of(file);
   if (options.width > 0) headless.width = options.width;
   if (options.height > 0) headless.height = options.height;
   auto window = HeadlessWindow::create(headless);

@@ -52,17 +52,29 @@ double bin_width(double rough) {
   return 10.0 * power;
 }
 
-/// Counts values in bins of `width` from `low`; those beyond the ends go into the outermost bins.
+/// "5.0 to 10.0 cm"; a class that holds what lies beyond its outer edge as well names only the inner one.
+std::string class_words(double low, double high, double width, bool is_open_low, bool is_open_high) {
+  const int decimals = width < 1.0 ? 2 : 1;
+  if (is_open_low) return "below " + fixed(high, decimals) + " cm";
+  if (is_open_high) return fixed(low, decimals) + " cm and more";
+  return fixed(low, decimals) + " to " + fixed(high, decimals) + " cm";
+}
+
+/// Counts values, cm, in bins of `width` from `low`; those beyond the ends go into the outermost bins.
 std::vector<ChartBar> histogram(const std::vector<std::pair<double, TreeId>>& values, double low, double high, double width) {
   const auto count = static_cast<std::size_t>(std::max(1.0, std::round((high - low) / width)));
   std::vector<ChartBar> bars(count);
-  for (std::size_t i = 0; i < count; ++i) bars[i] = {low + width * static_cast<double>(i), low + width * static_cast<double>(i + 1), 0.0, {}};
+  for (std::size_t i = 0; i < count; ++i) bars[i] = {low + width * static_cast<double>(i), low + width * static_cast<double>(i + 1), 0.0, {}, {}};
+  bool is_open_low = false, is_open_high = false;
   for (const auto& [value, tree] : values) {
     const double at = std::floor((value - low) / width + 1e-9);
     ChartBar& bar = bars[static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(count - 1)))];
+    is_open_low = is_open_low || at < 0.0;
+    is_open_high = is_open_high || at > static_cast<double>(count - 1);
     bar.value += 1.0;
     bar.trees.push_back(tree);
   }
+  for (ChartBar& bar : bars) bar.label = class_words(bar.x_low, bar.x_high, width, is_open_low && &bar == &bars.front(), is_open_high && &bar == &bars.back());
   return bars;
 }
 
@@ -74,6 +86,16 @@ double tallest(const std::vector<ChartBars>& series) {
 }
 
 void fit_counts(ChartModel& chart) { chart.y = {"Stems", "", 0.0, std::max(1.0, 1.08 * tallest(chart.bars)), {}, {}}; }
+
+/// Says that the outermost bars count more than their own class.
+void note_open_ends(ChartModel& chart) {
+  for (const ChartBars& series : chart.bars) {
+    const bool is_low = series.bars.front().label.starts_with("below"), is_high = series.bars.back().label.ends_with("more");
+    if (!is_low && !is_high) continue;
+    chart.note += is_low && is_high ? "; the outermost bars count all beyond" : is_high ? "; the last bar counts all beyond" : "; the first bar counts all below";
+    return;
+  }
+}
 
 std::string stems_text(std::size_t n) { return std::to_string(n) + (n == 1 ? " stem" : " stems"); }
 
@@ -107,6 +129,7 @@ ChartModel dbh_class_chart(const ProjectState& state, const Tables& tables, doub
   }
   chart.x = {"DBH", "cm", low, high, {}, {}};
   chart.note = "Classes of " + fixed(width, width == std::round(width) ? 0 : 1) + " cm";
+  note_open_ends(chart);
   fit_counts(chart);
   return chart;
 }
@@ -139,6 +162,7 @@ ChartModel growth_distribution_chart(const ProjectState& state, const Tables& ta
     chart.note = stems_text(changes.size()) + ", median " + fixed(median, 1) + " cm (95 % interval " + fixed(row->ci95_m[0] * cm_per_m, 1) +
                  " to " + fixed(row->ci95_m[1] * cm_per_m, 1) + "), DBH error " + fixed(row->dbh_error_m * cm_per_m, 1) + " cm";
   }
+  note_open_ends(chart);
   return chart;
 }
 
@@ -229,6 +253,7 @@ ChartModel residual_chart(const ProjectState& state, const Tables& tables, Inven
   fit_counts(chart);
   chart.rules.push_back({rms, true, "RMS " + fixed(rms, 1) + " cm", true});
   chart.note = stems_text(distances.size()) + ", median " + fixed(percentile(distances, 0.5), 1) + " cm";
+  note_open_ends(chart);
   return chart;
 }
 

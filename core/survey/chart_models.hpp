@@ -34,6 +34,7 @@ struct ChartBar {
   double x_low = 0.0, x_high = 0.0;  ///< edges of the bar
   double value = 0.0;
   std::vector<TreeId> trees;         ///< what it counts, for selecting by a click
+  std::string label;                 ///< the class it counts: "5.0 to 10.0 cm"; the outermost may be open: "below 5.0 cm"
   bool operator==(const ChartBar&) const = default;
 };
 struct ChartBars {

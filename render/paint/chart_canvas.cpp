@@ -10,6 +10,7 @@ namespace stemwise::render {
 namespace {
 
 constexpr double tick_size = 11.5;
+constexpr double px_per_x_tick = 46.0, px_per_y_tick = 32.0;  ///< at least, between ticks
 
 /// One chart on one canvas; lengths in interface pixels.
 class ChartPainter {
@@ -105,7 +106,7 @@ class ChartPainter {
     double top = heading(false) + 6.0;
     if (std::any_of(chart_.rules.begin(), chart_.rules.end(), [](const ChartRule& rule) { return rule.is_on_x && !rule.label.empty(); })) top += 14.0;
     if (!chart_.petals.empty()) return place_square(top);
-    const std::vector<double> ticks = ticks_of(chart_.y, height_ - top - 40.0, 46.0);
+    const std::vector<double> ticks = ticks_of(chart_.y, height_ - top - 40.0, px_per_y_tick);
     double widest = 10.0;
     for (std::size_t i = 0; i < ticks.size(); ++i) widest = std::max(widest, canvas_.text_width(tick_text(chart_.y, ticks, i), tick_style(Align::right)));
     const double bottom = chart_.x.title.empty() ? 26.0 : 44.0;
@@ -173,7 +174,7 @@ class ChartPainter {
   }
 
   void grid() const {
-    for (const double tick : ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), 46.0)) {
+    for (const double tick : ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), px_per_y_tick)) {
       const double y = std::round(y_px(tick)) + 0.5;
       canvas_.line(layout_.low_px.x(), y, layout_.high_px.x(), y, colours_.line.with_alpha(0.8), 1.0);
     }
@@ -264,10 +265,10 @@ class ChartPainter {
   }
 
   void axes() const {
-    const std::vector<double> xs = ticks_of(chart_.x, layout_.high_px.x() - layout_.low_px.x(), 72.0);
+    const std::vector<double> xs = ticks_of(chart_.x, layout_.high_px.x() - layout_.low_px.x(), px_per_x_tick);
     for (std::size_t i = 0; i < xs.size(); ++i)
       canvas_.text(x_px(xs[i]), layout_.high_px.y() + 14.0, tick_text(chart_.x, xs, i), tick_style(Align::centre));
-    const std::vector<double> ys = ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), 46.0);
+    const std::vector<double> ys = ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), px_per_y_tick);
     for (std::size_t i = 0; i < ys.size(); ++i) canvas_.text(layout_.low_px.x() - 8.0, y_px(ys[i]), tick_text(chart_.y, ys, i), tick_style(Align::right));
     canvas_.line(layout_.low_px.x(), layout_.high_px.y() + 0.5, layout_.high_px.x(), layout_.high_px.y() + 0.5, colours_.faint, 1.0);
     const auto with_unit = [](const ChartAxis& axis) { return axis.unit.empty() ? axis.title : axis.title + ", " + axis.unit; };

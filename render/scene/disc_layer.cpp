@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "render/palette.hpp"
 #include "render/projection.hpp"
 
 namespace stemwise::render {
@@ -41,7 +42,8 @@ constexpr const char* fragment_source = R"(#version 150
 flat in vec4 mark_colour;
 flat in float mark_shape, radius;
 in vec2 at;
-uniform float px_scale, fill_alpha;
+uniform float px_scale, fill_alpha, backing;
+uniform vec3 paper;
 out vec4 colour_out;
 float line(float distance_px, float width_px) { return clamp(0.5 * width_px + 0.5 - abs(distance_px), 0.0, 1.0); }
 void main() {
@@ -66,8 +68,9 @@ void main() {
     if (radius > 3.5 * px_scale) outline = max(outline, line(length(at) - 0.45 * radius, width));
   }
   float alpha = max(inside * fill, outline) * mark_colour.a;
-  if (alpha < 0.004) discard;
-  colour_out = vec4(mark_colour.rgb * alpha, alpha);
+  float under = backing * clamp(px_scale + 0.5 - around, 0.0, 1.0) * mark_colour.a * (1.0 - alpha);
+  if (alpha + under < 0.004) discard;
+  colour_out = vec4(mark_colour.rgb * alpha + paper * under, alpha + under);
 })";
 
 }  // namespace
@@ -102,6 +105,9 @@ void DiscLayer::draw(const FrameView& view) {
   glUniform1f(program_.at("least_px"), static_cast<float>(least_disc_radius_px * view.px_scale));
   glUniform1f(program_.at("px_scale"), static_cast<float>(view.px_scale));
   glUniform1f(program_.at("fill_alpha"), static_cast<float>(view.fill_alpha));
+  glUniform1f(program_.at("backing"), static_cast<float>(view.backing));
+  const Rgba paper = theme_colours(view.theme).map;
+  glUniform3f(program_.at("paper"), paper.r / 255.0F, paper.g / 255.0F, paper.b / 255.0F);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_DEPTH_TEST);

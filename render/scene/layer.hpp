@@ -18,6 +18,7 @@ struct FrameView {
   double px_per_m = 1.0;        ///< map
   double dbh_exaggeration = 1.0;  ///< marks are drawn this many times as thick as they are
   double fill_alpha = 0.34;       ///< of the map's circles
+  double backing = 0.0;           ///< how much of the map's paper lies under the circles: on a heat map or an image they keep their colours
   double fog_start_m = 1e9, fog_end_m = 2e9;
   bool is_moving = false;
   bool is_map = true;

@@ -1,5 +1,7 @@
 #include "render/scene/surfaces.hpp"
 
+#include "render/cut_grid.hpp"
+
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -10,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <map>
 #include <cmath>
 
 namespace stemwise::render {
@@ -17,12 +20,33 @@ namespace {
 
 constexpr double above_ground_m = 0.06;
 constexpr double heat_depth_m = -4.0;
-constexpr double heat_strength = 0.6;
 constexpr double coverage_depth_m = -5.0;  // under everything on the map
 
-bool is_cell_known(const Ground& ground, int column, int row) {
-  return ground.is_known[ground.at(column, row)] && ground.is_known[ground.at(column + 1, row)] && ground.is_known[ground.at(column, row + 1)] &&
-         ground.is_known[ground.at(column + 1, row + 1)];
+double heat_strength(Theme theme) { return theme == Theme::dark ? 0.5 : 0.6; }
+
+/// The points of a cut grid: its nodes come first, in their order; a point on a cut side is made once.
+class CutPoints {
+ public:
+  /// `make` adds the point of a corner on a cut side and returns its number.
+  template <class Make>
+  vtkIdType id_of(const CutCorner& corner, Make make) {
+    if (corner.is_node()) return static_cast<vtkIdType>(corner.from);
+    const auto [low, high] = std::minmax(corner.from, corner.to);
+    const auto [found, is_new] = made_.try_emplace({low, high}, 0);
+    if (is_new) found->second = make(corner);
+    return found->second;
+  }
+
+ private:
+  std::map<std::pair<std::size_t, std::size_t>, vtkIdType> made_;
+};
+
+/// Triangles around the first corner.
+void add_fan(vtkCellArray* cells, const std::vector<vtkIdType>& corners) {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const vtkIdType triangle[3] = {corners[0], corners[i], corners[i + 1]};
+    cells->InsertNextCell(3, triangle);
+  }
 }
 
 }  // namespace
@@ -32,15 +56,17 @@ vtkSmartPointer<vtkPolyData> surface_of(const Ground& ground) {
   vtkNew<vtkCellArray> cells;
   for (int row = 0; row < ground.rows; ++row)
     for (int column = 0; column < ground.columns; ++column) points->InsertNextPoint(ground.node_m(column, row).data());
-  for (int row = 0; row + 1 < ground.rows; ++row)
-    for (int column = 0; column + 1 < ground.columns; ++column) {
-      if (!is_cell_known(ground, column, row)) continue;
-      const auto id = [&ground](int c, int r) { return static_cast<vtkIdType>(ground.at(c, r)); };
-      const vtkIdType low[3] = {id(column, row), id(column + 1, row), id(column + 1, row + 1)};
-      const vtkIdType high[3] = {id(column, row), id(column + 1, row + 1), id(column, row + 1)};
-      cells->InsertNextCell(3, low);
-      cells->InsertNextCell(3, high);
-    }
+  const auto node_m = [&ground](std::size_t i) { return ground.node_m(static_cast<int>(i) % ground.columns, static_cast<int>(i) / ground.columns); };
+  const auto add_point = [&](const CutCorner& c) {
+    const Eigen::Vector3d at_m = node_m(c.from) + c.share * (node_m(c.to) - node_m(c.from));
+    return points->InsertNextPoint(at_m.data());
+  };
+  CutPoints made;
+  for (const auto& piece : cut_cells(ground.columns, ground.rows, ground.inside)) {
+    std::vector<vtkIdType> ids;
+    for (const CutCorner& corner : piece) ids.push_back(made.id_of(corner, add_point));
+    add_fan(cells, ids);
+  }
   vtkNew<vtkPolyData> mesh;
   mesh->SetPoints(points);
   mesh->SetPolys(cells);
@@ -73,21 +99,22 @@ vtkSmartPointer<vtkPolyData> surface_of(const HeatGrid& heat, Theme theme) {
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
   const Rgba paper = theme_colours(theme).map;
-  for (int row = 0; row < heat.rows; ++row)
-    for (int column = 0; column < heat.columns; ++column) {
-      points->InsertNextPoint(heat.low_m.x() + column * heat.step_m, heat.low_m.y() + row * heat.step_m, heat_depth_m);
-      const Rgba c = mix(paper, cividis((heat.value[heat.at(column, row)] - heat.low) / (heat.high - heat.low)), heat_strength);
-      const unsigned char components[3] = {c.r, c.g, c.b};
-      colours->InsertNextTypedTuple(components);
-    }
-  for (int row = 0; row + 1 < heat.rows; ++row)
-    for (int column = 0; column + 1 < heat.columns; ++column) {
-      const vtkIdType corners[4] = {static_cast<vtkIdType>(heat.at(column, row)), static_cast<vtkIdType>(heat.at(column + 1, row)),
-                                    static_cast<vtkIdType>(heat.at(column + 1, row + 1)), static_cast<vtkIdType>(heat.at(column, row + 1))};
-      bool is_known = true;
-      for (const vtkIdType corner : corners) is_known &= heat.is_known[static_cast<std::size_t>(corner)] != 0;
-      if (is_known) cells->InsertNextCell(4, corners);
-    }
+  const auto add_point = [&](const CutCorner& c) {
+    const auto place = [&heat](std::size_t i) { return Eigen::Vector2d(static_cast<int>(i) % heat.columns, static_cast<int>(i) / heat.columns); };
+    const Eigen::Vector2d at_m = heat.low_m + heat.step_m * (place(c.from) + c.share * (place(c.to) - place(c.from)));
+    const double value = heat.value[c.from] + c.share * (heat.value[c.to] - heat.value[c.from]);
+    const Rgba colour = mix(paper, cividis((value - heat.low) / (heat.high - heat.low)), heat_strength(theme));
+    const unsigned char components[3] = {colour.r, colour.g, colour.b};
+    colours->InsertNextTypedTuple(components);
+    return points->InsertNextPoint(at_m.x(), at_m.y(), heat_depth_m);
+  };
+  for (std::size_t i = 0; i < heat.value.size(); ++i) add_point({i, i, 0.0});
+  CutPoints made;
+  for (const auto& piece : cut_cells(heat.columns, heat.rows, heat.inside)) {
+    std::vector<vtkIdType> ids;
+    for (const CutCorner& corner : piece) ids.push_back(made.id_of(corner, add_point));
+    add_fan(cells, ids);
+  }
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(points);
   surface->SetPolys(cells);
@@ -145,8 +172,10 @@ std::vector<LineSegment> ground_lines(const Ground& ground, Rgba colour) {
   const int every = std::max(1, std::max(ground.columns, ground.rows) / 24);
   const Eigen::Vector3d lift(0.0, 0.0, above_ground_m);
   const auto add = [&](int c0, int r0, int c1, int r1) {
-    if (ground.is_known[ground.at(c0, r0)] && ground.is_known[ground.at(c1, r1)])
-      segments.push_back({ground.node_m(c0, r0) + lift, ground.node_m(c1, r1) + lift, colour, 1.0});
+    const auto [first, last] = inner_shares(ground.inside[ground.at(c0, r0)], ground.inside[ground.at(c1, r1)]);
+    if (last <= first) return;
+    const Eigen::Vector3d a = ground.node_m(c0, r0) + lift, b = ground.node_m(c1, r1) + lift;
+    segments.push_back({a + first * (b - a), a + last * (b - a), colour, 1.0});
   };
   for (int row = 0; row < ground.rows; ++row)
     for (int column = 0; column < ground.columns; ++column) {

@@ -83,12 +83,12 @@ struct ViewRenderer::Impl {
     surfaces_stale = false;
   }
 
-  void fill_grid(const SceneModel& scene, const Projection& view, const ViewOptions& options) {
+  void fill_grid(const SceneModel& scene, const HeatGrid& heat, const Projection& view, const ViewOptions& options) {
     if (!options.grid) return grid.fill({});
     const double step_m = nice_step(grid_px * view.px_scale * view.map.metres_per_px);
     const Eigen::Vector2d a = view.map.world_at({0.0, 0.0}, view.size);
     const Eigen::Vector2d b = view.map.world_at({double(view.size.width), double(view.size.height)}, view.size);
-    grid.fill(grid_lines(a.cwiseMin(b), a.cwiseMax(b), scene.origin_m.head<2>(), step_m, theme_colours(options.theme).grid));
+    grid.fill(grid_lines(a.cwiseMin(b), a.cwiseMax(b), scene.origin_m.head<2>(), step_m, heat.empty() ? theme_colours(options.theme).grid : theme_colours(options.theme).grid.with_alpha(0.3)));
   }
 
   /// Resolution of the drawn scene against the picture: less while dragging where the processor draws, more at rest in 3D.
@@ -140,9 +140,11 @@ void ViewRenderer::draw_scene(const SceneModel& scene, const Ground& ground, con
   const auto clouds = std::count_if(options.underlays.begin(), options.underlays.end(), [](const ShownUnderlay& u) { return u.cloud != nullptr; });
   view.most_points = (options.moving && impl_->is_software ? most_points_moving : most_points_at_rest) / static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, clouds));
   if (is_map) {
-    impl_->fill_grid(scene, projection, options);
+    impl_->fill_grid(scene, heat, projection, options);
     view.px_per_m = resolution / projection.map.metres_per_px;
     view.fill_alpha = scene.shows_sightings && scene.side_frames.empty() ? 0.10 : 0.34;
+    const bool has_image = std::any_of(options.underlays.begin(), options.underlays.end(), [](const ShownUnderlay& u) { return u.raster != nullptr; });
+    if (has_image || !heat.empty()) view.backing = 0.85;
     impl_->stage.look_down(projection.map, projection.size);
   } else {
     const double radius_m = 0.5 * (scene.high_m - scene.low_m).norm() + 30.0;

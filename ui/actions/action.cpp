@@ -119,6 +119,7 @@ std::string key_name(Key k) {
   const int code = static_cast<int>(k);
   if (code >= static_cast<int>(Key::f1)) return "F" + std::to_string(code - static_cast<int>(Key::f1) + 1);
   if (code == '=') return "+";
+  if (code == '-') return "−";
   return std::string(1, static_cast<char>(code));
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/panels/chart_view.hpp"
+#include "ui/panels/inventories_panel.hpp"
 #include "ui/text/confidence_words.hpp"
 #include "ui/text/effect_words.hpp"
 #include "ui/text/format.hpp"
@@ -111,7 +112,7 @@ void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
       w.text_in(line, pair, TextRole::table, Tone::secondary, Align::right);
       w.record("review/pair", line, pair);
     }
-    w.paragraph(confidence_words(*match), TextRole::table, Tone::secondary);
+    if (state.empty() || match->state == MatchState::rejected) w.paragraph(confidence_words(*match), TextRole::table, Tone::secondary);
     if (!beside) {
       w.paragraph(pair, TextRole::table, Tone::secondary);
       w.record_last("review/pair", pair);
@@ -198,7 +199,13 @@ void Inspector::draw_group(Widgets& w, Frame& frame) {
   }
   w.gap(8);
   for (std::size_t i = 0; i < fate_count; ++i) {
-    if (fates[i] > 0) w.fact(std::string("group/fate/") + to_string(static_cast<Fate>(i)), fate_label(static_cast<Fate>(i)), count_text(fates[i]));
+    if (fates[i] == 0) continue;
+    const auto fate = static_cast<Fate>(i);
+    const Rect row = w.next_rect(w.available_width(), w.px(24));
+    draw_fate_mark(w, fate, row.x + w.px(8), row.center_y(), w.px(6));
+    ImGui::Indent(w.px(24));
+    w.fact(std::string("group/fate/") + to_string(fate), fate_label(fate), count_text(fates[i]));
+    ImGui::Unindent(w.px(24));
   }
   w.fact("group/open", "Matches not decided by hand", count_text(open));
   w.fact("group/doubtful", "Trees in doubt", count_text(doubtful));

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
+#include <cfloat>
 #include <filesystem>
 
 namespace stemwise::ui {
@@ -45,6 +48,29 @@ bool is_on(const Frame& frame, ActionId id) {
   return false;
 }
 
+/// Actions of one kind that stand together in the menu behind one word; a menu is then short enough for a small window.
+struct Submenu {
+  const char* label;
+  ActionId first, last;
+};
+constexpr std::array<Submenu, 6> submenus{{{"Layers", ActionId::view_links, ActionId::view_underlays},
+                                           {"Panels", ActionId::view_left, ActionId::view_bottom},
+                                           {"Colour by", ActionId::color_inventory, ActionId::color_times_seen},
+                                           {"Heat map", ActionId::heat_density, ActionId::heat_residual},
+                                           {"Tool", ActionId::tool_select, ActionId::tool_measure},
+                                           {"Step", ActionId::step_inventories, ActionId::step_report}}};
+
+const Submenu* submenu_of(ActionId id) {
+  const auto found = std::find_if(submenus.begin(), submenus.end(), [id](const Submenu& s) { return id >= s.first && id <= s.last; });
+  return found == submenus.end() ? nullptr : &*found;
+}
+
+/// Beside the menu, so that it covers none of the entries.
+void draw_hint(Widgets& w, const std::string& text) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
+  w.tooltip_at(right + w.px(4), ImGui::GetItemRectMin().y - w.px(4), text);
+}
+
 std::string label_of(const Frame& frame, const Action& action) {
   const std::string what = action.id == ActionId::edit_undo ? frame.project.undo_label()
                            : action.id == ActionId::edit_redo ? frame.project.redo_label() : "";
@@ -52,6 +78,11 @@ std::string label_of(const Frame& frame, const Action& action) {
 }
 
 }  // namespace
+
+std::string submenu_label(ActionId id) {
+  const Submenu* sub = submenu_of(id);
+  return sub == nullptr ? "" : sub->label;
+}
 
 void MenuBar::draw(Widgets& w, Frame& frame) {
   const float pad_y = 0.5f * (w.px(height) - w.line_height(TextRole::body));
@@ -72,17 +103,32 @@ void MenuBar::draw(Widgets& w, Frame& frame) {
 }
 
 void MenuBar::draw_menu(Widgets& w, Frame& frame, Menu menu) {
+  // Below the bar whatever its length: one that covered the bar would take the click that opened it for a choice.
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(w.px(120), ImGui::GetIO().DisplaySize.y - w.px(height + 12))});
   const bool open = ImGui::BeginMenu(menu_label(menu));
   w.record_last(std::string("menu/") + menu_label(menu), menu_label(menu));
   if (!open) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {w.px(8), w.px(9)});
   for (const Action& action : all_actions()) {
     if (action.menu != menu) continue;
-    if (action.separator_before) ImGui::Separator();
-    draw_item(w, frame, action);
+    const Submenu* sub = submenu_of(action.id);
+    if (action.separator_before && (sub == nullptr || sub == &submenus.front())) ImGui::Separator();
+    if (sub == nullptr) {
+      draw_item(w, frame, action);
+    } else if (action.id == sub->first) {
+      draw_submenu(w, frame, sub->label, sub->first, sub->last);
+    }
     if (action.id == ActionId::file_open) draw_recent(w, frame);
   }
   ImGui::PopStyleVar();
+  ImGui::EndMenu();
+}
+
+void MenuBar::draw_submenu(Widgets& w, Frame& frame, const char* label, ActionId first, ActionId last) {
+  const bool open = ImGui::BeginMenu(label);
+  w.record_last(std::string("menu/more/") + label, label);
+  if (!open) return;
+  for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) draw_item(w, frame, action(static_cast<ActionId>(i)));
   ImGui::EndMenu();
 }
 
@@ -91,7 +137,7 @@ void MenuBar::draw_item(Widgets& w, Frame& frame, const Action& action) {
   const std::string chord = "    " + to_string(action.chord);
   if (ImGui::MenuItem(label_of(frame, action).c_str(), chord.c_str(), is_on(frame, action.id), why_not.empty())) frame.requests.run(action.id);
   w.record_last(std::string("menu/") + action.name, action.label, why_not.empty());
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) w.tooltip(why_not.empty() ? action.help : why_not);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) draw_hint(w, why_not.empty() ? action.help : why_not);
 }
 
 void MenuBar::draw_recent(Widgets& w, Frame& frame) {

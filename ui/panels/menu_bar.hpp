@@ -12,8 +12,12 @@ class MenuBar {
 
  private:
   void draw_menu(Widgets& w, Frame& frame, Menu menu);
+  void draw_submenu(Widgets& w, Frame& frame, const char* label, ActionId first, ActionId last);
   void draw_item(Widgets& w, Frame& frame, const Action& action);
   void draw_recent(Widgets& w, Frame& frame);
 };
+
+/// The submenu that an action stands in; "" for those that stand in their menu itself.
+std::string submenu_label(ActionId id);
 
 }  // namespace stemwise::ui

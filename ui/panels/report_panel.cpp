@@ -71,7 +71,7 @@ void ReportPanel::draw_field_check(Widgets& w, Frame& frame) {
   w.paragraph("Doubtful trees with distance and azimuth from the three nearest sure trees, to take outside. A file ending in .pdf, .html, .gpx, .csv or .xlsx.", TextRole::caption, Tone::secondary);
   if (w.path_field("check/path", check_path_, "check/browse")) frame.view.dialog = Dialog::field_check_path;
   const Rect row = w.next_rect(w.available_width(), w.px(28));
-  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "At most so many trees", TextRole::body, Tone::secondary);
+  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "Trees at most", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
   w.number("check/most", frame.view.most_field_checks, "%.0f");
   const int most = static_cast<int>(std::clamp(frame.view.most_field_checks, 1.0, 100000.0));

@@ -188,7 +188,8 @@ void ViewportPanel::draw_hover(Widgets& w, Frame& frame, const Rect& rect) {
   const float height = w.px(card.detail.empty() ? 32 : 52);
   float x = rect.x + static_cast<float>(card.x_px) + w.px(26);
   float y = rect.y + static_cast<float>(card.y_px) - 0.5f * height;
-  if (x + width > rect.right() - w.px(8)) x = rect.x + static_cast<float>(card.x_px) - w.px(26) - width;
+  const bool on_key = frame.view.heat != Heat::none && frame.view.mode == ViewMode::map && x + width > rect.right() - w.px(232) && y + height > rect.bottom() - w.px(152);
+  if (on_key || x + width > rect.right() - w.px(8)) x = rect.x + static_cast<float>(card.x_px) - w.px(26) - width;
   if (x < rect.x + w.px(8)) {  // room on neither side: below the stem
     x = std::max(rect.x + w.px(8), std::min(rect.x + static_cast<float>(card.x_px) - 0.5f * width, rect.right() - w.px(8) - width));
     y = rect.y + static_cast<float>(card.y_px) + w.px(30);

@@ -19,7 +19,7 @@ constexpr Tokens dark_tokens{
     .text = hex(0xE5EBE7), .secondary = hex(0x9DB0A5), .faint = hex(0x6C7D74),
     .accent = hex(0x5BC48A), .accent_soft = hex(0x213A2C), .on_accent = hex(0x0F1A14),
     .warning = hex(0xF0B357), .error = hex(0xF2837B),
-    .hover = Color{229, 235, 231, 16}};
+    .hover = Color{229, 235, 231, 26}};
 
 constexpr std::array<Color, 6> survey_colors{hex(0x0072B2), hex(0xE69F00), hex(0x009E73), hex(0xCC79A7), hex(0x56B4E9), hex(0xD55E00)};
 
@@ -35,8 +35,8 @@ Color fate_color(Fate fate) {
     case Fate::ingrowth: return hex(0x56B4E9);
     case Fate::missed_earlier: return hex(0xE69F00);
     case Fate::missing: return hex(0xD55E00);
-    case Fate::dead: return hex(0x8C4A1E);
-    case Fate::removed: return hex(0x7A6A5C);
+    case Fate::dead: return hex(0x9A4400);
+    case Fate::removed: return hex(0x7A5C48);
     case Fate::outside_coverage: return hex(0x98A39D);
     case Fate::unresolved: return hex(0xCC79A7);
   }
