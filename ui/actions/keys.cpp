@@ -30,8 +30,10 @@ bool taken_by_focus(const Action& a) { return a.chord == KeyChord{Key::space} &&
 
 }  // namespace
 
+bool is_typing() { return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID; }
+
 void run_keys(const Availabilities& available, Requests& requests) {
-  const bool typing = ImGui::GetIO().WantTextInput;
+  const bool typing = is_typing();
   for (const Action& a : all_actions()) {
     if (!pressed(a) || (typing && belongs_to_text_field(a)) || taken_by_focus(a)) continue;
     if (available[static_cast<std::size_t>(a.id)].enabled()) requests.run(a.id);

@@ -8,4 +8,7 @@ namespace stemwise::ui {
 /// except those that text fields use themselves (Ctrl+Z, Ctrl+Y).
 void run_keys(const Availabilities& available, Requests& requests);
 
+/// A text field has the keyboard. True only until the frame that ends it: ImGui's WantTextInput lags one behind.
+bool is_typing();
+
 }  // namespace stemwise::ui
