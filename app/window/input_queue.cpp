@@ -19,7 +19,7 @@ class Share {
 
   bool fits(const InputEvent& e, bool is_letter) const {
     switch (state_) {
-      case State::open: return e.kind != Kind::key || e.down || !modifiers_.contains(e.code);
+      case State::open: return e.kind == Kind::key ? !(e.down ? let_go_ : modifiers_).contains(e.code) : !(e.kind == Kind::button && e.down && moved_);
       case State::letters: return e.kind == Kind::character || (e.kind == Kind::key && !is_modifier(e.code) && (!e.down || (typing_ && is_letter)));
       case State::struck: return e.kind == Kind::character;
       case State::clicked: return false;
@@ -29,11 +29,14 @@ class Share {
   }
 
   void take(const InputEvent& e, bool is_letter) {
+    if (e.kind == Kind::move) moved_ = true;
     if (e.kind == Kind::button) state_ = State::clicked;
     if (e.kind == Kind::wheel) state_ = State::turned;
     if (e.kind == Kind::character && state_ == State::open) state_ = State::letters;
-    if (e.kind != Kind::key || !e.down) return;
-    if (is_modifier(e.code)) {
+    if (e.kind != Kind::key) return;
+    if (!e.down) {
+      let_go_.insert(e.code);
+    } else if (is_modifier(e.code)) {
       modifiers_.insert(e.code);
     } else {
       state_ = typing_ && is_letter ? State::letters : State::struck;
@@ -44,7 +47,9 @@ class Share {
   enum class State { open, letters, struck, clicked, turned };
   bool typing_;
   State state_ = State::open;
+  bool moved_ = false;       ///< what lies over something else has to be hovered for a frame before it can be clicked
   std::set<int> modifiers_;  ///< pressed in this frame: Alt alone means something too
+  std::set<int> let_go_;     ///< in this frame: pressed again within it they would never have been up
 };
 
 }  // namespace

@@ -59,6 +59,15 @@ TEST_F(InputQueueTest, KeysOfOneMomentKeepTheirOrder) {
   EXPECT_THAT(frames(false), ElementsAre("+N n", "-N +A a", "-A"));
 }
 
+TEST_F(InputQueueTest, AKeyStruckTwiceIsUpInBetween) {
+  key(ctrl, true);
+  stroke('Z');
+  key(ctrl, false);
+  key(ctrl, true);
+  stroke('Z');
+  EXPECT_THAT(frames(false), ElementsAre("+ctrl +Z", "-Z -ctrl", "+ctrl +Z", "-Z"));
+}
+
 TEST_F(InputQueueTest, AModifierHoldsAsLongAsItsKey) {
   key(ctrl, true);
   stroke('A');
@@ -79,12 +88,20 @@ TEST_F(InputQueueTest, LettersForAFieldComeTogetherAndEnterAfterThem) {
   EXPECT_THAT(frames(true), ElementsAre("+O o -O +A a -A +K k -K", "+enter", "-enter +N n -N"));
 }
 
-TEST_F(InputQueueTest, AClickHappensWhereItWasMade) {
+TEST_F(InputQueueTest, AClickHappensWhereItWasMadeAfterAFrameThatHovers) {
   move(10);
   button(true, 10);
   button(false, 10);
   move(90);
-  EXPECT_THAT(frames(false), ElementsAre("@10 (10", ")10", "@90"));
+  EXPECT_THAT(frames(false), ElementsAre("@10", "(10", ")10", "@90"));
+}
+
+TEST_F(InputQueueTest, ADragEndsWhereTheButtonIsLetGo) {
+  button(true, 10);
+  move(70);
+  button(false, 70);
+  move(90);
+  EXPECT_THAT(frames(false), ElementsAre("(10", "@70 )70", "@90"));
 }
 
 TEST_F(InputQueueTest, AHeldModifierIsLetGoAfterTheClick) {
