@@ -131,7 +131,7 @@ void Shell::leave_field() { ImGui::ClearActiveID(); }
 void Shell::Impl::take_keys_from_imgui() {
   ImGuiIO& io = ImGui::GetIO();
   io.KeyMap[ImGuiKey_Tab] = -1;  // goes through all controls (FocusOrder), not only through text fields
-  const bool typing = io.WantTextInput;
+  const bool typing = is_typing();
   io.KeyMap[ImGuiKey_Home] = typing ? static_cast<int>(Key::home) : -1;  // else it would move the focus: it shows everything
   // Enter presses what has the focus, as Space does; not with the stroke that ended a text.
   const bool enter = io.KeysDown[static_cast<int>(Key::enter)];

@@ -206,6 +206,11 @@ double Desk::seconds_to_next_frame() const {
   return 10.0;
 }
 
+bool Desk::is_settled() const {
+  const WindowModel& m = *model_;
+  return !m.jobs.is_busy() && m.document.is_derived() && (m.view.blink || seconds_to_next_frame() > 0.0);
+}
+
 void Desk::drop(const std::vector<std::string>& dropped) {
   std::vector<std::string> paths = dropped, underlays;
   const auto first = std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) { return !is_underlay(path); });

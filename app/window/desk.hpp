@@ -29,6 +29,8 @@ class Desk {
   void frame(double elapsed_s);
   /// Seconds until something moves by itself; the window may sleep so long.
   double seconds_to_next_frame() const;
+  /// No job runs, the tables are of the current revision, autosave has its copy, and nothing moves but what blinks.
+  bool is_settled() const;
 
   void drop(const std::vector<std::string>& paths);  ///< files dropped on the window
   void ask_to_close();

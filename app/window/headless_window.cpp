@@ -96,11 +96,8 @@ void HeadlessWindow::settle() {
   WindowModel& m = parts_->desk->model();
   for (int i = 0; i < most_settling_frames; ++i) {
     frame();
-    if (m.jobs.is_busy()) {
-      m.jobs.wait_for_news();
-      continue;
-    }
-    if (m.document.is_derived() && (m.view.blink || parts_->desk->seconds_to_next_frame() > 0.0)) break;
+    if (parts_->desk->is_settled()) break;
+    if (m.jobs.is_busy()) m.jobs.wait_for_news();
   }
   frames(2);
 }

@@ -6,23 +6,24 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/platform/folders.hpp"
 #include "app/window/desk.hpp"
 #include "app/window/headless_window.hpp"
+#include "app/window/input_queue.hpp"
 #include "app/window/layout_key.hpp"
 #include "app/window/retained_frame.hpp"
 #include "app/window/window_model.hpp"
 #include "app/window/window_script.hpp"
+#include "ui/actions/keys.hpp"
 
 namespace stemwise {
 namespace {
@@ -83,42 +84,39 @@ class GlfwWindow {
   GLFWwindow* handle_ = nullptr;
 };
 
-/// Dear ImGui 1.86 looks at keys once a frame: one struck and let go between two frames would never have been down. So
-/// letting go waits for the frame after.
-class KeyQueue {
- public:
-  void add(int key, int scancode, int action, int mods) { waiting_.push_back({key, scancode, action, mods}); }
-  bool is_empty() const { return waiting_.empty(); }
-  void deliver(GLFWwindow* window) {
-    std::set<int> struck;
-    while (!waiting_.empty()) {
-      const Event event = waiting_.front();
-      if (event.action == GLFW_RELEASE && struck.contains(event.key)) return;
-      if (event.action == GLFW_PRESS) struck.insert(event.key);
-      ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
-      waiting_.pop_front();
-    }
-  }
-
- private:
-  struct Event {
-    int key, scancode, action, mods;
-  };
-  std::deque<Event> waiting_;
-};
-
 /// What the window's callbacks reach.
 struct WindowEvents {
   Desk& desk;
-  KeyQueue keys;
-  bool is_uncovered = false;  ///< the display wants the picture again
+  InputQueue input;
+  bool is_uncovered = false;           ///< the display wants the picture again
+  double mouse_x = 0.0, mouse_y = 0.0;  ///< where it was last seen, window px
+  std::array<bool, 5> buttons{};        ///< held as the frames know it
+  std::atomic<bool> has_news = false;   ///< a job has something to show; set on its thread
 };
 
 WindowEvents& events_of(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
 
-void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
-  events_of(window).keys.add(layout_key(key, glfwGetKeyName(key, scancode)), scancode, action, mods);
+using Kind = InputEvent::Kind;
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int) {
+  const int meant = layout_key(key, glfwGetKeyName(key, scancode));
+  if (action != GLFW_REPEAT) events_of(window).input.add({.kind = Kind::key, .code = meant, .down = action == GLFW_PRESS, .scancode = scancode});
 }
+
+void on_character(GLFWwindow* window, unsigned int character) { events_of(window).input.add({.kind = Kind::character, .code = static_cast<int>(character)}); }
+
+void on_button(GLFWwindow* window, int button, int action, int) {
+  WindowEvents& events = events_of(window);
+  events.input.add({.kind = Kind::button, .code = button, .down = action == GLFW_PRESS, .x = events.mouse_x, .y = events.mouse_y});
+}
+
+void on_move(GLFWwindow* window, double x, double y) {
+  events_of(window).mouse_x = x;
+  events_of(window).mouse_y = y;
+  events_of(window).input.add({.kind = Kind::move, .x = x, .y = y});
+}
+
+void on_wheel(GLFWwindow* window, double x, double y) { events_of(window).input.add({.kind = Kind::wheel, .x = x, .y = y}); }
 
 void on_drop(GLFWwindow* window, int count, const char** paths) {
   events_of(window).desk.drop({paths, paths + count});
@@ -131,15 +129,60 @@ void on_close(GLFWwindow* window) {
   events_of(window).desk.ask_to_close();
 }
 
-void draw_frame(const GlfwWindow& window, Desk& desk, RetainedFrame& picture, bool is_uncovered, double elapsed_s) {
+/// In the place of the callbacks of ImGui's backend, but for focus and the mouse coming and going.
+void listen(GLFWwindow* window, WindowEvents& events) {
+  glfwSetWindowUserPointer(window, &events);
+  glfwGetCursorPos(window, &events.mouse_x, &events.mouse_y);
+  glfwSetKeyCallback(window, on_key);
+  glfwSetCharCallback(window, on_character);
+  glfwSetMouseButtonCallback(window, on_button);
+  glfwSetCursorPosCallback(window, on_move);
+  glfwSetScrollCallback(window, on_wheel);
+  glfwSetDropCallback(window, on_drop);
+  glfwSetWindowRefreshCallback(window, on_refresh);
+  glfwSetWindowCloseCallback(window, on_close);
+}
+
+/// Keys, letters and the wheel go to ImGui's backend; buttons are held here, because the backend would ask for how they are now.
+void hand_over(GLFWwindow* window, WindowEvents& events, const InputEvent& event) {
+  switch (event.kind) {
+    case Kind::key: ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.down ? GLFW_PRESS : GLFW_RELEASE, 0); break;
+    case Kind::character: ImGui_ImplGlfw_CharCallback(window, static_cast<unsigned int>(event.code)); break;
+    case Kind::button:
+      if (event.code >= 0 && event.code < static_cast<int>(events.buttons.size())) events.buttons[static_cast<std::size_t>(event.code)] = event.down;
+      break;
+    case Kind::wheel: ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y); break;
+    case Kind::move: break;
+  }
+}
+
+/// Begins ImGui's frame with what it may know of what a person did.
+void start_frame(GLFWwindow* window, WindowEvents& events) {
+  ImGuiIO& io = ImGui::GetIO();
+  ImVec2 mouse = io.MousePos;
+  bool mouse_told = false;
+  for (const InputEvent& event : events.input.take(ui::is_typing())) {
+    hand_over(window, events, event);
+    if (event.kind != Kind::move && event.kind != Kind::button) continue;
+    mouse = {static_cast<float>(event.x), static_cast<float>(event.y)};
+    mouse_told = true;
+  }
+  ImGui_ImplGlfw_NewFrame();  // sets the mouse to where it is now: too early while things wait that were done before
+  if (mouse_told || !events.input.is_empty()) io.MousePos = mouse;
+  std::copy(events.buttons.begin(), events.buttons.end(), io.MouseDown);
+  ImGui::NewFrame();
+}
+
+void draw_frame(const GlfwWindow& window, WindowEvents& events, RetainedFrame& picture, double elapsed_s) {
+  Desk& desk = events.desk;
+  const bool is_uncovered = std::exchange(events.is_uncovered, false);
   if (desk.prepare(window.content_scale())) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     picture.forget();
   }
   ImGui_ImplOpenGL3_NewFrame();
   if (ImGui::GetIO().Fonts->TexID == nullptr) ImGui_ImplOpenGL3_CreateFontsTexture();
-  ImGui_ImplGlfw_NewFrame();
-  ImGui::NewFrame();
+  start_frame(window.handle(), events);
   desk.frame(elapsed_s);
   ImGui::Render();
   int width = 0, height = 0;
@@ -149,8 +192,12 @@ void draw_frame(const GlfwWindow& window, Desk& desk, RetainedFrame& picture, bo
   glfwSwapBuffers(window.handle());
 }
 
-void write_registry(const std::string& path, const Desk& desk, std::string& written) {
-  std::string now = registry_json(desk.registry());
+/// The widgets, and what a script has to wait for: how many keys and buttons were dealt with, and whether all came to rest.
+void write_registry(const std::string& path, const WindowEvents& events, bool at_rest, std::string& written) {
+  ui::WidgetRegistry registry = events.desk.registry();
+  registry.record("window/inputs", {.value = std::to_string(events.input.count())});
+  registry.record("window/settled", {.value = at_rest && events.input.is_empty() && events.desk.is_settled() ? "yes" : "no"});
+  std::string now = registry_json(registry);
   if (now == written) return;
   {
     std::ofstream file(path + ".new");
@@ -161,13 +208,15 @@ void write_registry(const std::string& path, const Desk& desk, std::string& writ
   written = std::move(now);
 }
 
-/// Until an event, for `wait_s` at most, or until the process was asked to end. True after an event.
-bool wait_for_event(double wait_s, const std::atomic<bool>& interrupted) {
+/// Until an event, for `wait_s` at most, or until the process was asked to end. True after an event. GLFW does not say why
+/// it came back: in time it was an event of whatever kind; on a machine that kept the process waiting only what is known of.
+bool wait_for_event(WindowEvents& events, double wait_s, const std::atomic<bool>& interrupted) {
   constexpr double slice_s = 0.25;
   for (; wait_s > 0.0 && !interrupted; wait_s -= slice_s) {
     const double slice = std::min(wait_s, slice_s), before = glfwGetTime();
     glfwWaitEventsTimeout(slice);
-    if (glfwGetTime() - before < slice * 0.98) return true;
+    const bool known = events.has_news.exchange(false) || events.is_uncovered || !events.input.is_empty();
+    if (known || glfwGetTime() - before < slice * 0.98) return true;
   }
   return false;
 }
@@ -182,15 +231,14 @@ void loop(const GlfwWindow& window, WindowEvents& events, const WindowOptions& o
     // Sleeps while nothing happens: an idle window costs nothing.
     const double wait = frames_after_event > 0 ? 0.0 : desk.seconds_to_next_frame();
     if (wait <= 0.0) glfwPollEvents();
-    const bool event = wait_for_event(wait, interrupted);
+    const bool event = wait_for_event(events, wait, interrupted);
     if (interrupted) break;
-    frames_after_event = event || !events.keys.is_empty() ? 3 : std::max(0, frames_after_event - 1);
-    events.keys.deliver(window.handle());
+    frames_after_event = event || !events.input.is_empty() ? 3 : std::max(0, frames_after_event - 1);
     const double now = glfwGetTime();
-    draw_frame(window, desk, picture, std::exchange(events.is_uncovered, false), now - last);
+    draw_frame(window, events, picture, now - last);
     last = now;
     if (desk.title() != title) glfwSetWindowTitle(window.handle(), (title = desk.title()).c_str());
-    if (!options.ui_json.empty()) write_registry(options.ui_json, desk, registry);
+    if (!options.ui_json.empty()) write_registry(options.ui_json, events, frames_after_event == 0, registry);
   }
 }
 
@@ -204,13 +252,12 @@ int run_on_display(const WindowOptions& options, const std::atomic<bool>& interr
     return 1;
   }
   Desk desk({options.paths, config});
-  desk.model().jobs.on_news([] { glfwPostEmptyEvent(); });
-  WindowEvents events{desk, {}, true};
-  glfwSetWindowUserPointer(window.handle(), &events);
-  glfwSetKeyCallback(window.handle(), on_key);  // in the place of ImGui's, which it calls
-  glfwSetDropCallback(window.handle(), on_drop);
-  glfwSetWindowRefreshCallback(window.handle(), on_refresh);
-  glfwSetWindowCloseCallback(window.handle(), on_close);
+  WindowEvents events{.desk = desk, .input = {}, .is_uncovered = true};
+  desk.model().jobs.on_news([&events] {
+    events.has_news = true;
+    glfwPostEmptyEvent();
+  });
+  listen(window.handle(), events);
   loop(window, events, options, interrupted);
   if (interrupted) desk.keep_unsaved_work();
   int width = 0, height = 0;

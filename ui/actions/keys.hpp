@@ -17,4 +17,7 @@ class ActionKeys {
   std::vector<ActionId> waiting_;  ///< for the field to be left
 };
 
+/// A text field has the keyboard. True only until the frame that ends it: ImGui's WantTextInput lags one behind.
+bool is_typing();
+
 }  // namespace stemwise::ui
