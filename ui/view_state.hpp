@@ -55,6 +55,9 @@ struct Underlay {
   static constexpr float lowest_m = -2.0f, highest_m = 40.0f;
 };
 
+/// Of step 5.
+enum class ReportSection { none, export_layer, rules, report, field_check };
+
 /// Sizes of the panels at 100 %, and which are folded away.
 struct PanelSizes {
   float left = 272.0f;
@@ -102,6 +105,7 @@ struct ViewState {
   ExportForm exporting;
   double report_area_ha = 0.0;     ///< 0: of the coverage
   double most_field_checks = 100;  ///< trees on the field check sheet
+  ReportSection wanted_section = ReportSection::none;  ///< to be opened and scrolled to
   PageForm page;                   ///< in the dialog `pages`
 };
 

@@ -26,10 +26,16 @@ bool run_file_action(WindowModel& m, ActionId action) {
   }
 }
 
+/// The tree that was selected may be gone with the change: then the one that its stem belongs to now.
+void keep_selection(WindowModel& m) {
+  if (!m.view.selected_tree || m.document.state().trees.contains(m.view.selected_tree)) return;
+  m.view.selected_tree = m.document.state().tree_of(m.view.selected_stem);
+}
+
 bool run_edit_action(WindowModel& m, ActionId action) {
   switch (action) {
-    case edit_undo: m.document.undo(); return true;
-    case edit_redo: m.document.redo(); return true;
+    case edit_undo: m.document.undo(); keep_selection(m); return true;
+    case edit_redo: m.document.redo(); keep_selection(m); return true;
     case edit_history: m.view.dialog = ui::Dialog::history; return true;
     case edit_coverage: start_shape(m, ui::Tool::coverage); m.view.mode = ui::ViewMode::map; return true;
     case edit_make_reference: m.execute(set_reference(m.view.selected_inventory)); return true;
@@ -80,6 +86,12 @@ bool run_view_action(WindowModel& m, ActionId action) {
   }
 }
 
+void show_section(WindowModel& m, ui::ReportSection section) {
+  m.view.step = ui::Step::report;
+  m.view.panels.show_right = true;
+  m.view.wanted_section = section;
+}
+
 void look_at_pages(WindowModel& m, ui::PrintedSheet sheet) {
   m.view.page.sheet = sheet;
   m.view.page.page = 0;
@@ -106,9 +118,9 @@ bool run_review_action(WindowModel& m, ActionId action) {
     case review_clear_fate: set_selected_fate(m, std::nullopt); return true;
     case export_preview_report: look_at_pages(m, ui::PrintedSheet::report); return true;
     case export_preview_field_check: look_at_pages(m, ui::PrintedSheet::field_check); return true;
-    case export_run:
-    case export_report:
-    case export_field_check: m.view.step = ui::Step::report; m.view.panels.show_right = true; return true;
+    case export_run: show_section(m, ui::ReportSection::export_layer); return true;
+    case export_report: show_section(m, ui::ReportSection::report); return true;
+    case export_field_check: show_section(m, ui::ReportSection::field_check); return true;
     default: return false;
   }
 }

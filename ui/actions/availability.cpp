@@ -75,6 +75,9 @@ void one_tree_reasons(Reasons& r, const ProjectState& state, const Derived& deri
   const MatchRow* match = match_to_decide(derived, view);
   const TreeRow* row = derived.tree(view.selected_tree);
   const bool fate_to_confirm = row != nullptr && derived.doubt(view.selected_tree) != nullptr;
+  const QueueRow* asked = derived.doubt(view.selected_tree);
+  const bool answered = asked != nullptr && asked->decided && !asked->match && view.selected_stem.index < 0;
+  r.unless(!answered, {review_accept, review_reject}, "This tree is decided on: click one of its stems to decide on a match of it");
   r.unless(match != nullptr || fate_to_confirm, {review_accept}, "This tree has no match to accept");
   const bool fate_in_doubt = match == nullptr && fate_to_confirm && tree.stems.size() >= 2;
   r.unless(!fate_in_doubt, {review_reject}, "The doubt is about the tree's fate: set it in the menu Review, or click a stem in its history first");

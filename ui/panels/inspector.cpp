@@ -123,7 +123,7 @@ void Inspector::draw_confidence(Widgets& w, Frame& frame, const TreeRow& tree) {
   if (!decided && doubted != nullptr && doubted != match) {
     why = "in doubt is " + stem_label(frame.state(), doubted->a) + " and " + stem_label(frame.state(), doubted->b) + ": " + why;
   }
-  for (const std::string& flag : tree.flags) why += (why.empty() ? "" : "; ") + flag;
+  for (const std::string& flag : tree.flags) why += (why.empty() ? "" : "; ") + flag_words(flag);
   if (why.empty()) return;
   w.paragraph(why, TextRole::table, decided ? Tone::secondary : Tone::warning);
   w.record_last("review/why", why);

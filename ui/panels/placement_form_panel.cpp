@@ -143,17 +143,12 @@ void PlacementFormPanel::draw_typed(Widgets& w, Frame& frame) {
     w.paragraph("Or select a tree and type where it stands.", TextRole::table, Tone::secondary);
     return;
   }
-  w.text("Or " + tree_label(tree) + " stands at latitude, longitude, height", TextRole::table, Tone::secondary);
-  const Rect row = w.next_rect(w.available_width(), w.px(28));
-  const float gap = w.px(6), add = w.px(52), each = (row.width - add - 3 * gap) / 3.0f;
-  const char* paths[] = {"merge/typed/lat", "merge/typed/lon", "merge/typed/height"};
-  double* values[] = {&latitude_deg_, &longitude_deg_, &height_m_};
-  for (int i = 0; i < 3; ++i) {
-    ImGui::SetCursorScreenPos({row.x + static_cast<float>(i) * (each + gap), row.y});
-    w.number(paths[i], *values[i], i < 2 ? "%.7f" : "%.2f", each);
-  }
+  w.text("Or " + tree_label(tree) + " stands at", TextRole::table, Tone::secondary);
+  labelled_number(w, "merge/typed/lat", "Latitude, °", latitude_deg_, "%.7f", "WGS 84, north positive");
+  labelled_number(w, "merge/typed/lon", "Longitude, °", longitude_deg_, "%.7f", "WGS 84, east positive");
+  labelled_number(w, "merge/typed/height", "Height, m", height_m_, "%.2f", "Above the ellipsoid or the geoid that is chosen below; 0: not known");
   const std::string why_not = latitude_deg_ == 0.0 && longitude_deg_ == 0.0 ? "Type the latitude and longitude of this tree" : std::abs(latitude_deg_) > 90.0 || std::abs(longitude_deg_) > 180.0 ? "There is no such place" : "";
-  if (w.button_in({row.right() - add, row.y, add, row.height}, "merge/typed/add", "Add", {.why_not = why_not})) {
+  if (w.button("merge/typed/add", "Add this point", {.width = -1.0f, .why_not = why_not})) {
     std::erase_if(form.typed, [&](const TypedControl& t) { return t.tree == tree; });
     form.typed.push_back({tree, latitude_deg_, longitude_deg_, height_m_, height_m_ != 0.0});
     latitude_deg_ = longitude_deg_ = height_m_ = 0.0;

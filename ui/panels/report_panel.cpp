@@ -25,13 +25,27 @@ void ReportPanel::draw(Widgets& w, Frame& frame) {
   start_paths(frame);
   w.text("Report and export", TextRole::title);
   w.gap(4);
-  if (w.fold("report/open_export", "Export", export_open_)) export_.draw(w, frame);
+  if (is_section_open(w, frame, ReportSection::export_layer, "report/open_export", "Export", export_open_)) export_.draw(w, frame);
   w.gap(6);
-  if (w.fold("report/open_rules", "Implausible growth", rules_open_)) rules_.draw(w, frame);
+  if (is_section_open(w, frame, ReportSection::rules, "report/open_rules", "Implausible growth", rules_open_)) rules_.draw(w, frame);
   w.gap(6);
-  if (w.fold("report/open_report", "Growth report", report_open_)) draw_report(w, frame);
+  if (is_section_open(w, frame, ReportSection::report, "report/open_report", "Growth report", report_open_)) draw_report(w, frame);
   w.gap(6);
-  if (w.fold("report/open_check", "Field check sheet", check_open_)) draw_field_check(w, frame);
+  if (is_section_open(w, frame, ReportSection::field_check, "report/open_check", "Field check sheet", check_open_)) draw_field_check(w, frame);
+}
+
+/// Its head. A section that was asked for opens and comes to the top; the second frame knows how far down it reaches.
+bool ReportPanel::is_section_open(Widgets& w, Frame& frame, ReportSection section, const char* path, const char* label, bool& open) {
+  const bool wanted = frame.view.wanted_section == section;
+  if (wanted) open = true;
+  const float top = ImGui::GetCursorPosY();
+  w.fold(path, label, open);
+  if (!wanted) return open;
+  ImGui::SetScrollY(top - w.px(8));
+  if (++frames_wanted_ < 3) return open;
+  frames_wanted_ = 0;
+  frame.view.wanted_section = ReportSection::none;
+  return open;
 }
 
 void ReportPanel::draw_report(Widgets& w, Frame& frame) {
@@ -84,7 +98,7 @@ void ReportPanel::draw_field_check(Widgets& w, Frame& frame) {
   const std::string suffix = std::filesystem::path(check_path_).extension().string();
   const bool needs_earth = suffix == ".gpx" && frame.state().georeference.kind == GeoreferenceKind::none;
   const std::string& no_doubt = frame.available[static_cast<std::size_t>(ActionId::export_field_check)].why_not;
-  const std::string why_not = !no_doubt.empty() ? no_doubt : needs_earth ? "Waypoints need a place on the earth: georeference the project in step 4 first" : "";
+  const std::string why_not = !no_doubt.empty() ? no_doubt : frame.view.most_field_checks < 1.0 ? "At least one tree" : needs_earth ? "Waypoints need a place on the earth: georeference the project in step 4 first" : "";
   w.action_button("check/look", ActionId::export_preview_field_check, frame.available, frame.requests, {.width = -1.0f});
   if (w.button("check/run", "Write the sheet", {.width = -1.0f, .why_not = why_not})) frame.requests.emit(request::WriteFieldCheck{check_path_, most});
 }

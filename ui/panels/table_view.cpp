@@ -1,6 +1,7 @@
 #include "ui/panels/table_view.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -57,6 +58,7 @@ void draw_row(Widgets& w, const TableView& table, std::size_t row) {
   const float pad = ImGui::GetStyle().CellPadding.y;
   const bool pressed = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
                                          {0, height - 2 * pad});
+  const bool reached = GImGui->NavJustMovedToId != 0 && GImGui->NavJustMovedToId == ImGui::GetItemID();  // by the arrow keys
   const std::string path = table.path + "/row/" + std::to_string(row);
   w.record_last(path, table.cell(row, 0).text);
   ImGui::PopID();
@@ -66,7 +68,7 @@ void draw_row(Widgets& w, const TableView& table, std::size_t row) {
     const Rect rect{ImGui::GetCursorScreenPos().x, at.y, ImGui::GetContentRegionAvail().x, height - 2 * pad};
     w.text_in(rect, cell.text, TextRole::table, cell.tone, table.columns[c].number ? Align::right : Align::left);
   }
-  if (pressed && table.clicked) table.clicked(row);
+  if ((pressed || reached) && table.clicked) table.clicked(row);
 }
 
 }  // namespace

@@ -74,6 +74,11 @@ std::string duration_text(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
+std::string flag_words(std::string flag) {
+  std::replace(flag.begin(), flag.end(), '_', ' ');
+  return flag;
+}
+
 std::string sentence(std::string text) {
   if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;

@@ -22,6 +22,7 @@ std::string grouped(double value, int decimals);              ///< thin spaces e
 std::string date_text(Date date);                             ///< "1 Apr 2013"
 std::string percent_text(double share, int decimals = 0);     ///< "94 %"
 std::string duration_text(double seconds);                    ///< "4 s", "2 min 10 s"
+std::string flag_words(std::string flag);                     ///< "implausible growth" of implausible_growth
 std::string sentence(std::string text);                       ///< with a capital at its beginning
 /// "12 s ago", "5 min ago".
 std::string ago_text(double seconds);

@@ -118,7 +118,7 @@ void MatchEditor::receive(TreeId id, StemRef gone, StemRef come) {
     const auto match = state_.matches.find(ordered(stem, come));  // what kept them apart is overruled now
     if (match != state_.matches.end() && !match->second.joins()) set_match(ordered(stem, come), std::nullopt);
   }
-  if (!record.stems.empty()) set_match_state(record.stems.front(), come, MatchState::linked);
+  for (const StemRef& stem : record.stems) set_match_state(stem, come, MatchState::linked);
   record.stems.push_back(come);
   std::sort(record.stems.begin(), record.stems.end());
   set_tree(id, std::move(record));

@@ -88,10 +88,11 @@ CommandPtr merge_trees(TreeId a, TreeId b, EditStamp stamp) {
     const ProjectState& state = editor.state();
     must(why_not_merge(state, a, b));
     const TreeId into = std::min(a, b), from = std::max(a, b);
-    const StemRef kept = state.trees.at(into).stems.front(), added = state.trees.at(from).stems.front();
+    const std::vector<StemRef> kept = state.trees.at(into).stems, added = state.trees.at(from).stems;
     editor.log(stamp, "Merge " + tree_label(into) + " and " + tree_label(from), "two trees", tree_label(into));
     editor.merge(into, from);
-    editor.set_match_state(kept, added, MatchState::linked);
+    for (const StemRef& one : kept)
+      for (const StemRef& other : added) editor.set_match_state(one, other, MatchState::linked);
     editor.note_edit(into, stamp);
   });
 }
