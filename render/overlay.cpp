@@ -50,8 +50,15 @@ class OverlayPainter {
     for (const SideFrame& frame : scene_.side_frames) {
       const auto place = at({frame.low_m.x(), frame.high_m.y(), 0.0});
       const TextStyle words{12.5, Weight::semibold, frame.colour, Align::left, colours_.map};
-      const double last_x = width_ - margin - canvas_.text_width(frame.caption, words);
-      if (place && place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 22.0, frame.caption, words);
+      if (!place) continue;
+      double room = width_;  // up to the next one in the row; where that is near, the name alone must do
+      for (const SideFrame& other : scene_.side_frames) {
+        const auto next = at({other.low_m.x(), other.high_m.y(), 0.0});
+        if (next && next->x() > place->x()) room = std::min(room, next->x() - place->x() - 8.0);
+      }
+      const std::string caption = canvas_.text_width(frame.caption, words) > room ? frame.caption.substr(0, frame.caption.rfind(", ")) : frame.caption;
+      const double last_x = width_ - margin - canvas_.text_width(caption, words);
+      if (place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 22.0, caption, words);
     }
   }
 

@@ -34,6 +34,8 @@ struct Layout {
   Rect steps, left, middle, right, bottom, status;
 };
 
+constexpr float least_middle = 560.0f, least_left = 208.0f, least_right = 300.0f;
+
 /// The tab below has nothing to show yet: one line needs no big panel.
 bool is_bottom_empty(const Frame& frame) {
   const Tables& t = frame.tables();
@@ -55,8 +57,15 @@ Layout lay_out(const Widgets& w, const Frame& frame, float width, float height) 
   const float top = std::round(w.px(MenuBar::height));
   const float body_top = std::round(top + w.px(StepBar::height));
   const float body_bottom = std::round(height - w.px(StatusBar::height));
-  const float left = p.show_left ? std::round(std::min(w.px(p.left), 0.35f * width)) : 0.0f;
-  const float right = p.show_right ? std::round(std::min(w.px(p.right), 0.40f * width)) : 0.0f;
+  float left = p.show_left ? std::min(w.px(p.left), 0.35f * width) : 0.0f;
+  float right = p.show_right ? std::min(w.px(p.right), 0.40f * width) : 0.0f;
+  // Large text in a small window: the side panels give way to what is between them, as far as they stay readable.
+  const float wanted_middle = w.px(least_middle);
+  const auto give_way = [&](float& side, float least) { side = std::max(std::min(side, least), side - std::max(0.0f, wanted_middle - (width - left - right))); };
+  give_way(left, w.px(least_left));
+  give_way(right, w.px(least_right));
+  left = std::round(left);
+  right = std::round(right);
   const float wanted = is_bottom_empty(frame) ? std::min(w.px(p.bottom), w.px(108)) : w.px(p.bottom);
   const float bottom = p.show_bottom ? std::round(std::min(wanted, 0.46f * (body_bottom - body_top))) : 0.0f;
   Layout l;

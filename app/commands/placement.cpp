@@ -278,7 +278,7 @@ Placement place_by_gnss(const GeoreferenceOptions& options, const ProjectState& 
   placement.issues = std::move(issues);
   placement.said = residual_lines(report->georeference.residuals);
   char text[160];
-  std::snprintf(text, sizeof text, "GNSS track: %d of %d fixes used, RMS %.2f m in the plane, azimuth %.2f +- %.2f degrees", report->used, report->fixes, report->rms_m,
+  std::snprintf(text, sizeof text, "GNSS track: %d of %d fixes used, RMS %.2f m in the plane, azimuth %.2f° ± %.2f°", report->used, report->fixes, report->rms_m,
                 report->georeference.azimuth_deg, report->georeference.azimuth_sd_deg);
   placement.said.emplace_back(text);
   return placement;

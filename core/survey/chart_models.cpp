@@ -92,7 +92,7 @@ void note_open_ends(ChartModel& chart) {
   for (const ChartBars& series : chart.bars) {
     const bool is_low = series.bars.front().label.starts_with("below"), is_high = series.bars.back().label.ends_with("more");
     if (!is_low && !is_high) continue;
-    chart.note += is_low && is_high ? "; the outermost bars count all beyond" : is_high ? "; the last bar counts all beyond" : "; the first bar counts all below";
+    chart.x.note = is_low && is_high ? "end bars count all beyond" : is_high ? "last bar counts all beyond" : "first bar counts all below";
     return;
   }
 }
@@ -128,8 +128,8 @@ ChartModel dbh_class_chart(const ProjectState& state, const Tables& tables, doub
     chart.bars.push_back(std::move(bars));
   }
   chart.x = {"DBH", "cm", low, high, {}, {}};
-  chart.note = "Classes of " + fixed(width, width == std::round(width) ? 0 : 1) + " cm";
   note_open_ends(chart);
+  chart.note = "Classes of " + fixed(width, width == std::round(width) ? 0 : 1) + " cm";
   fit_counts(chart);
   return chart;
 }

@@ -27,6 +27,7 @@ struct ChartAxis {
   double high = 1.0;
   std::vector<double> ticks;             ///< empty: the painter chooses
   std::vector<std::string> tick_labels;  ///< empty: the numbers
+  std::string note = {};  ///< after the title: "end bars count all beyond"
   bool operator==(const ChartAxis&) const = default;
 };
 

@@ -271,7 +271,7 @@ class ChartPainter {
     const std::vector<double> ys = ticks_of(chart_.y, layout_.high_px.y() - layout_.low_px.y(), px_per_y_tick);
     for (std::size_t i = 0; i < ys.size(); ++i) canvas_.text(layout_.low_px.x() - 8.0, y_px(ys[i]), tick_text(chart_.y, ys, i), tick_style(Align::right));
     canvas_.line(layout_.low_px.x(), layout_.high_px.y() + 0.5, layout_.high_px.x(), layout_.high_px.y() + 0.5, colours_.faint, 1.0);
-    const auto with_unit = [](const ChartAxis& axis) { return axis.unit.empty() ? axis.title : axis.title + ", " + axis.unit; };
+    const auto with_unit = [](const ChartAxis& axis) { return axis.title + (axis.unit.empty() ? "" : ", " + axis.unit) + (axis.note.empty() ? "" : "; " + axis.note); };
     if (!chart_.x.title.empty())
       canvas_.text(0.5 * (layout_.low_px.x() + layout_.high_px.x()), layout_.high_px.y() + 33.0, with_unit(chart_.x), tick_style(Align::centre));
     if (chart_.y.title.empty()) return;

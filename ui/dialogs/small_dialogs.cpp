@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "ui/dialogs/modal.hpp"
 #include "ui/text/format.hpp"
@@ -20,19 +20,16 @@ void draw_key_line(Widgets& w, const Action& a) {
   w.record(std::string("keys/") + a.name, row, to_string(a.chord));
 }
 
-constexpr std::size_t key_columns = 4;
-
-/// Where the columns begin: after an equal share of the lines each, heads included.
-std::array<std::size_t, key_columns + 1> column_starts() {
+/// Where the columns begin, and where the last one ends: after an equal share of the lines each, heads included.
+std::vector<std::size_t> column_starts(std::size_t columns) {
   const std::size_t lines = action_count + 2 * menu_count;
-  std::array<std::size_t, key_columns + 1> starts;
-  starts.fill(action_count);
+  std::vector<std::size_t> starts(columns + 1, action_count);
   starts[0] = 0;
   std::size_t line = 0, column = 1;
   for (std::size_t i = 0; i < action_count; ++i) {
     const bool head = i == 0 || all_actions()[i].menu != all_actions()[i - 1].menu;
     line += head ? 3 : 1;
-    if (column < key_columns && line > column * lines / key_columns) starts[column++] = i;
+    if (column < columns && line > column * lines / columns) starts[column++] = i;
   }
   return starts;
 }
@@ -44,10 +41,11 @@ void draw_keys_sheet(Widgets& w, Frame& frame) {
   const Modal modal(w, "All keys", 1220.0f, 650.0f, open);
   if (!open) frame.view.dialog = Dialog::none;
   if (!modal) return;
-  const std::array<std::size_t, key_columns + 1> starts = column_starts();
-  const float width = (w.available_width() - w.px(24) * (key_columns - 1)) / key_columns;
+  const std::size_t columns = w.available_width() < w.px(1080) ? 3 : 4;
+  const std::vector<std::size_t> starts = column_starts(columns);
+  const float width = (w.available_width() - w.px(24) * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, w.px(1)});
-  for (std::size_t c = 0; c < key_columns; ++c) {
+  for (std::size_t c = 0; c < columns; ++c) {
     if (c > 0) ImGui::SameLine(0, w.px(24));
     ImGui::PushID(static_cast<int>(c));
     ImGui::BeginChild("column", {width, 0});

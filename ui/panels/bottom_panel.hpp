@@ -14,7 +14,8 @@ class BottomPanel {
   void draw(Widgets& w, Frame& frame, const Rect& rect);
 
  private:
-  float draw_tab(Widgets& w, Frame& frame, BottomTab tab, const char* label, const std::string& count, float x, float y);
+  void draw_tabs(Widgets& w, Frame& frame, const Rect& rect);
+  static void draw_tab(Widgets& w, Frame& frame, BottomTab tab, const char* label, const std::string& count, float x, float y);
 
   QueueTable queue_;
   MatchTable matches_;

@@ -44,6 +44,7 @@ void ConflictTable::draw(Widgets& w, Frame& frame) {
   TableView table;
   table.path = "conflicts";
   table.columns = {{"Tree", 0.8f}, {"What", 0.8f}, {"Values", 3.0f}, {"Kept", 1.0f}, {"From", 1.3f}};
+  table.least_width = w.px(500);
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) -> TableCell {
     const FusionConflict& c = all[rows_[row]];

@@ -21,11 +21,12 @@ void EditLogTab::draw(Widgets& w, Frame& frame) {
   if (!log.empty()) draw_filter(w, "log/filter", filter_, "Filter by tree, author or note");
   TableView table;
   table.path = "log";
-  table.columns = {{"Time (UTC)", 1.72f}, {"Who", 0.65f}, {"What", 2.75f}, {"Before", 1.05f}, {"After", 1.75f}, {"Note", 0.8f}};
+  table.columns = {{"Time (UTC)", 1.32f}, {"Who", 0.62f}, {"What", 2.15f}, {"Before", 0.88f}, {"After", 1.1f}, {"Note", 0.5f}};
+  table.least_width = w.px(600);
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) -> TableCell {
     const EditLogEntry& e = log[rows_[row]];
-    const std::string time = e.time_utc.size() >= 16 ? e.time_utc.substr(0, 10) + " " + e.time_utc.substr(11, 8) : e.time_utc;
+    const std::string time = e.time_utc.size() >= 16 ? e.time_utc.substr(0, 10) + " " + e.time_utc.substr(11, 5) : e.time_utc;
     const std::string cells[] = {time, e.author, e.what, sentence(e.before), sentence(e.after), e.note};
     return {cells[column], column == 0 ? Tone::secondary : Tone::text};
   };

@@ -26,13 +26,15 @@ void GrowthTab::draw(Widgets& w, Frame& frame) {
     return;
   }
   const float width = w.available_width();
-  const float figures = std::min(w.px(262), width * 0.34f);
+  const float figures = width < w.px(520) ? 0.0f : std::min(w.px(262), width * 0.34f);
   const float height = ImGui::GetContentRegionAvail().y - w.px(6);
   const Rect area = w.next_rect(width, height);
-  ImGui::BeginChild("figures", {figures, height});
-  draw_figures(w, frame);
-  ImGui::EndChild();
-  const float gap = w.px(12);
+  if (figures > 0.0f) {  // with large text in a small window the chart alone
+    ImGui::BeginChild("figures", {figures, height});
+    draw_figures(w, frame);
+    ImGui::EndChild();
+  }
+  const float gap = figures > 0.0f ? w.px(12) : 0.0f;
   draw_charts(w, frame, {area.x + figures + gap, area.y, width - figures - gap, height});
 }
 
@@ -77,7 +79,7 @@ void GrowthTab::draw_pair(Widgets& w, Frame& frame, std::size_t index) {
   w.fact(path + "/n", "Trees measured in both", count_text(g.n));
   w.fact(path + "/median", "Median DBH change", change_text(g.median_change_m) + " cm", "Half of the trees changed less, half more.");
   w.fact(path + "/ci", "95 % interval", change_text(g.ci95_m[0]) + " to " + change_text(g.ci95_m[1]) + " cm", "Of the true median: errors of measurement, which draw it towards the mean, are allowed for.");
-  w.fact(path + "/band", "20–80 % band", change_text(g.p20_p80_m[0]) + " to " + change_text(g.p20_p80_m[1]) + " cm");
+  w.fact(path + "/band", "20–80 % band", change_text(g.p20_p80_m[0]) + " to " + change_text(g.p20_p80_m[1]) + " cm", "One tree in five changed less than its lower end, one in five more than its upper one.");
   w.fact(path + "/error", "DBH error", fixed(g.dbh_error_m * 100.0, 1) + " cm", "One measurement's error, robustly estimated from the matched stems.");
   if (g.years) w.fact(path + "/years", "Years between", fixed(*g.years, 2));
   w.gap(10);

@@ -110,6 +110,7 @@ void MatchTable::draw(Widgets& w, Frame& frame) {
   table.path = "matches";
   const std::vector<std::size_t> shown = columns_that_fit(w);
   for (const std::size_t column : shown) table.columns.push_back(columns()[column]);
+  table.least_width = w.px(610);
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame.state(), all[rows_[row]], shown[column]); };
   table.selected = [&](std::size_t row) { return all[rows_[row]].tree == frame.view.selected_tree; };

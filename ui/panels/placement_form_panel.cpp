@@ -222,7 +222,7 @@ void PlacementFormPanel::draw_residuals(Widgets& w, const Georeference& georefer
     const Rect row = w.next_rect(width, w.px(22));
     w.hairline(row.x, row.y, row.right(), row.y + 1);
     const Tone tone = r.used ? Tone::text : Tone::warning;
-    w.text_in({row.x, row.y, width * 0.44f, row.height}, r.name + (r.used ? "" : " (left out)"), TextRole::table, tone);
+    w.text_in({row.x, row.y, width * 0.56f, row.height}, r.name + (r.used ? "" : " (left out)"), TextRole::table, tone);
     w.text_in({row.x, row.y, width * 0.66f, row.height}, fixed(r.residual_m, 2), TextRole::table, tone, Align::right);
     w.text_in(row, r.leave_one_out_m ? fixed(*r.leave_one_out_m, 2) : dash, TextRole::table, tone, Align::right);
     w.record("merge/residual/" + r.name, row, fixed(r.residual_m, 2) + (r.used ? "" : " left out"));

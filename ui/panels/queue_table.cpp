@@ -115,8 +115,9 @@ void QueueTable::draw(Widgets& w, Frame& frame) {
   if (!t.queue.empty()) draw_filters(w, frame);
   TableView table;
   table.path = "queue";
-  table.columns = {{"Tree", 0.82f},            {"Doubt", 0.66f, true},     {"Surveys", 1.0f}, {"Before, cm", 0.9f, true},
-                   {"After, cm", 0.85f, true}, {"Change, cm", 0.95f, true}, {"Why", 2.75f}};
+  table.columns = {{"Tree", 0.83f},           {"Doubt", 0.6f, true},      {"Surveys", 1.03f}, {"Before, cm", 0.9f, true},
+                   {"After, cm", 0.8f, true}, {"Change, cm", 0.95f, true}, {"Why", 2.76f}};
+  table.least_width = w.px(600);
   table.rows = rows_.size();
   table.cell = [&](std::size_t row, std::size_t column) { return cell_of(frame, t.queue[rows_[row]], column); };
   table.selected = [&](std::size_t row) {

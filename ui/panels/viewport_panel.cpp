@@ -134,18 +134,21 @@ void ViewportPanel::draw_tools(Widgets& w, Frame& frame, const Rect& rect) {
   float x = rect.x + w.px(12);
   const float y = rect.y + w.px(12);
   const Tokens& t = w.tokens();
-  const auto plate = [&](float width) { w.fill({x, y, width, height}, t.panel, w.px(6)); };
-
-  plate(w.px(150));
-  w.outline({x, y, w.px(150), height}, t.line, w.px(6));
+  // In a narrow view everything is as wide as its word.
+  const bool narrow = rect.width < w.px(540);
+  const float half = narrow ? w.px(48) : w.px(74), gap = narrow ? w.px(4) : w.px(6);
+  const auto width_of = [&](const char* label) { return narrow ? w.text_width(label, TextRole::strong) + w.px(26) : w.px(76); };
+  const Rect modes{x, y, 2 * half + 2, height};
+  w.fill(modes, t.panel, w.px(6));
+  w.outline(modes, t.line, w.px(6));
   const bool map = frame.view.mode == ViewMode::map;
-  if (w.button_in({x + 2, y + 2, w.px(74), height - 4}, "viewport/map", "Map", {.quiet = !map, .active = map, .tooltip = "The map from above  (M)"}) && !map) {
+  if (w.button_in({x + 2, y + 2, half, height - 4}, "viewport/map", "Map", {.quiet = !map, .active = map, .tooltip = "The map from above  (M)"}) && !map) {
     frame.requests.run(ActionId::view_mode);
   }
-  if (w.button_in({x + w.px(76), y + 2, w.px(72), height - 4}, "viewport/3d", "3D", {.quiet = map, .active = !map, .tooltip = "Stems as cylinders  (M)"}) && map) {
+  if (w.button_in({x + 2 + half, y + 2, half - 2, height - 4}, "viewport/3d", "3D", {.quiet = map, .active = !map, .tooltip = "Stems as cylinders  (M)"}) && map) {
     frame.requests.run(ActionId::view_mode);
   }
-  x += w.px(162);
+  x = modes.right() + (narrow ? w.px(8) : w.px(12));
   struct Item { const char* path; const char* label; ActionId id; bool on; };
   const Item items[] = {{"viewport/select", "Select", ActionId::tool_select, frame.view.tool == Tool::select},
                         {"viewport/measure", "Measure", ActionId::tool_measure, frame.view.tool == Tool::measure},
@@ -153,10 +156,11 @@ void ViewportPanel::draw_tools(Widgets& w, Frame& frame, const Rect& rect) {
   for (const Item& item : items) {
     const std::string& why_not = frame.available[static_cast<std::size_t>(item.id)].why_not;
     const std::string hint = std::string(action(item.id).help) + "  (" + to_string(action(item.id).chord) + ")";
-    if (w.button_in({x, y, w.px(76), height}, item.path, item.label, {.active = item.on, .plate = true, .why_not = why_not, .tooltip = hint})) frame.requests.run(item.id);
-    x += w.px(82);
+    const float width = width_of(item.label);
+    if (w.button_in({x, y, width, height}, item.path, item.label, {.active = item.on, .plate = true, .why_not = why_not, .tooltip = hint})) frame.requests.run(item.id);
+    x += width + gap;
   }
-  const Rect layers{x, y, w.px(76), height};
+  const Rect layers{x, y, width_of("Layers"), height};
   if (w.button_in(layers, "viewport/layers", "Layers", {.plate = true, .tooltip = "What is laid over the stems"})) ImGui::OpenPopup("layers");
   draw_layers(w, frame, layers);
 }

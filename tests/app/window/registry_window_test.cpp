@@ -28,6 +28,12 @@ class RegistryTest : public WindowTest {
     EXPECT_GT(greyed, 0) << situation;
   }
 
+  static std::string first_of(const std::string& menu) {
+    for (const ui::Action& a : ui::all_actions())
+      if (ui::menu_label(a.menu) == menu) return a.name;
+    return "";
+  }
+
   /// The key of what is greyed out does nothing.
   void expect_dead_keys(const char* situation) {
     const ui::Availabilities now = available();
@@ -56,8 +62,11 @@ TEST_F(RegistryTest, EveryActionIsInItsMenuOnTheKeysSheetAndInThePalette) {
       ASSERT_NE(entry, nullptr) << a.name;
       EXPECT_EQ(entry->enabled, available()[static_cast<std::size_t>(a.id)].enabled()) << a.name;
     }
-    window().press({ui::Key::escape});
-    window().frames(2);
+    window().move_to(800, 900);  // a submenu under the mouse would open again
+    for (int i = 0; i < 4 && window().desk().registry().find(std::string("menu/") + first_of(menu)) != nullptr; ++i) {  // a submenu, then its menu
+      window().press({ui::Key::escape});
+      window().frames(2);
+    }
   }
   window().press(ui::ActionId::help_keys);
   window().frames(2);

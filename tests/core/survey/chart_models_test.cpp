@@ -31,6 +31,22 @@ TEST(ChartModels, ABarListsTheTreesItCounts) {
   EXPECT_EQ(total(chart.bars[0]), 20.0);
 }
 
+TEST(ChartModels, ABarSaysWhichClassItCountsAndWhetherThatHasAnEnd) {
+  const Project project = test::aligned_project();
+  const Tables tables = derive_tables(project.state());
+  const ChartModel chart = dbh_class_chart(project.state(), tables);
+  for (const ChartBars& series : chart.bars)
+    for (std::size_t i = 0; i < series.bars.size(); ++i) {
+      const std::string& label = series.bars[i].label;
+      const bool is_outer = i == 0 || i + 1 == series.bars.size();
+      EXPECT_TRUE(label.find(" to ") != std::string::npos || is_outer) << label;
+      EXPECT_NE(label.find(" cm"), std::string::npos) << label;
+      if (!is_outer) {
+        EXPECT_EQ(label, chart.bars.front().bars[i].label);  // the class, not the bar's own edges in it
+      }
+    }
+}
+
 TEST(ChartModels, GrowthIsDrawnInCentimetresWithItsBand) {
   const Project project = test::aligned_project();
   const Tables tables = derive_tables(project.state());
