@@ -3,6 +3,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "core/geometry/rigid_transform.hpp"
 #include "core/project/commands.hpp"
 
 namespace stemwise {
@@ -29,7 +30,12 @@ std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state) {
     InventoryId reference;
     AlignHints::RoughPose pose;
     pose.inventory = inventory->id;
-    if (words >> reference.value >> pose.x_m >> pose.y_m >> pose.yaw_rad >> pose.radius_m && reference == state.reference) poses.push_back(pose);
+    if (!(words >> reference.value >> pose.x_m >> pose.y_m >> pose.yaw_rad >> pose.radius_m) || state.find(reference) == nullptr || !state.is_placed(reference)) continue;
+    const RigidTransform there = state.reference_from_inventory(reference) * RigidTransform::planar(pose.x_m, pose.y_m, pose.yaw_rad);
+    pose.x_m = there.translation_m.x();
+    pose.y_m = there.translation_m.y();
+    pose.yaw_rad = roll_pitch_yaw(there.rotation).yaw_rad;
+    poses.push_back(pose);
   }
   return poses;
 }

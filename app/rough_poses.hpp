@@ -8,8 +8,8 @@ namespace stemwise {
 
 /// Whether a setting of a project is a rough position and not one of the alignment.
 bool is_rough_pose(const std::string& key);
-/// The rough positions that a person gave in this project, for every later alignment. One that was given for another reference
-/// or for a survey that is gone means nothing.
+/// The rough positions that a person gave in this project, for every later alignment, in the frame of the reference of now. One
+/// that was given for a reference that has no place any more means nothing.
 std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state);
 /// Keeps one, instead of an earlier one of the same survey.
 CommandPtr keep_rough_pose(const ProjectState& state, const AlignHints::RoughPose& rough);

@@ -30,8 +30,6 @@ struct AddUnderlays { std::vector<std::string> paths; };
 struct RemoveUnderlay { int id; };
 struct OpenProject { std::string path; };
 struct SaveProject { std::string path; };
-struct RemoveInventory { InventoryId inventory; };
-struct MakeReference { InventoryId inventory; };
 struct SetDate { InventoryId inventory; std::optional<Date> date; };
 struct AcceptProbable { InventoryId inventory; };
 struct SelectGroup { std::vector<TreeId> trees; };  ///< empty: none
@@ -92,7 +90,7 @@ struct Pointer {
 
 using Request =
     std::variant<request::Run, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::AddUnderlays, request::RemoveUnderlay, request::OpenProject, request::SaveProject,
-                 request::RemoveInventory, request::MakeReference, request::SetDate, request::AcceptProbable, request::SelectGroup, request::LinkStems,
+                 request::SetDate, request::AcceptProbable, request::SelectGroup, request::LinkStems,
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::ChooseSource, request::ChooseRules, request::ReadRules, request::SetGeoreference, request::SetDbhError, request::EstimateCoverage, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,
                  request::DismissNotices, request::NoticeChoice, request::AnswerQuestion, request::Recover, request::Leave, request::RoughPose, request::AlignByPairs, request::Shape, request::Export, request::WriteReport, request::WriteFieldCheck, request::SaveChart,

@@ -95,6 +95,7 @@ struct ViewState {
   float slide_at = 0.5f;           ///< of the picture's width: left of it the earlier survey, right of it the later one
   ThemeName theme = ThemeName::light;
   bool reduce_motion = false;
+  bool goes_on = false;            ///< a decision on a tree in doubt leads to the next one
   double zoom_percent = 100.0;     ///< of the interface, beside the display's own scale
   PanelSizes panels;
   Dialog dialog = Dialog::none;

@@ -22,8 +22,6 @@ struct Answer {
     leave_then(m, [&model = m, path = r.path] { open_project(model, path); });
   }
   void operator()(const request::SaveProject& r) const { save_as(m, r.path); }
-  void operator()(const request::RemoveInventory& r) const { m.execute(remove_inventory(r.inventory)); }
-  void operator()(const request::MakeReference& r) const { m.execute(set_reference(r.inventory)); }
   void operator()(const request::SetDate& r) const { m.execute(set_inventory_date(r.inventory, r.date)); }
   void operator()(const request::AcceptProbable& r) const { m.execute(accept_probable(r.inventory)); }
   void operator()(const request::LinkStems& r) const { use_tool(m, ui::Tool::link, r.a, r.b); }

@@ -24,6 +24,7 @@ std::string preferences_file(const std::string& folder) { return folder + "/wind
 void apply_preferences(const Preferences& p, ui::ViewState& view) {
   view.theme = p.theme;
   view.reduce_motion = p.reduce_motion;
+  view.goes_on = p.goes_on;
   view.zoom_percent = p.zoom_percent;
   view.panels = p.panels;
   view.layers = p.layers;
@@ -40,9 +41,9 @@ std::string project_folder(const Document& document) {
   return std::filesystem::is_directory(folder, error) ? folder.string() : "";
 }
 
-/// All panels need this much room at 100 %; a smaller window is not zoomed out below that.
+/// The panels can be used where they have so much room at 100 %; a smaller window is never zoomed out below that.
 double most_zoom_percent(float width, float height) {
-  constexpr double least_width = 1240.0, least_height = 690.0, step = 10.0;
+  constexpr double least_width = 980.0, least_height = 560.0, step = 10.0;
   if (width <= 0.0f || height <= 0.0f) return 200.0;  // not known before the first frame
   const double fits = std::min(width / least_width, height / least_height) * 100.0;
   return std::clamp(std::floor(fits / step) * step, 100.0, 200.0);
@@ -256,6 +257,7 @@ void Desk::remember(int width, int height, bool maximised) {
   p.maximised = maximised;
   p.theme = model_->view.theme;
   p.reduce_motion = model_->view.reduce_motion;
+  p.goes_on = model_->view.goes_on;
   p.zoom_percent = model_->view.zoom_percent;
   p.panels = model_->view.panels;
   p.layers = model_->view.layers;

@@ -23,6 +23,7 @@ Preferences from_json(const Json& json) {
   take(json, "maximised", p.maximised);
   p.theme = json.value("theme", "light") == "dark" ? ui::ThemeName::dark : ui::ThemeName::light;
   take(json, "reduce_motion", p.reduce_motion);
+  take(json, "goes_on", p.goes_on);
   take(json, "zoom_percent", p.zoom_percent);
   take(json, "panel_left", p.panels.left);
   take(json, "panel_right", p.panels.right);
@@ -45,7 +46,7 @@ Preferences from_json(const Json& json) {
 
 Json to_json(const Preferences& p) {
   return {{"width", p.width}, {"height", p.height}, {"maximised", p.maximised},
-          {"theme", p.theme == ui::ThemeName::dark ? "dark" : "light"}, {"reduce_motion", p.reduce_motion}, {"zoom_percent", p.zoom_percent},
+          {"theme", p.theme == ui::ThemeName::dark ? "dark" : "light"}, {"reduce_motion", p.reduce_motion}, {"goes_on", p.goes_on}, {"zoom_percent", p.zoom_percent},
           {"panel_left", p.panels.left}, {"panel_right", p.panels.right}, {"panel_bottom", p.panels.bottom},
           {"show_left", p.panels.show_left}, {"show_right", p.panels.show_right}, {"show_bottom", p.panels.show_bottom},
           {"links", p.layers.links}, {"coverage", p.layers.coverage}, {"grid", p.layers.grid}, {"ground", p.layers.ground}, {"labels", p.layers.labels},

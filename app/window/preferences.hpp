@@ -13,6 +13,7 @@ struct Preferences {
   bool maximised = false;
   ui::ThemeName theme = ui::ThemeName::light;
   bool reduce_motion = false;
+  bool goes_on = false;
   double zoom_percent = 100.0;
   ui::PanelSizes panels;
   ui::Layers layers;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
@@ -32,14 +33,23 @@ void keep_selection(WindowModel& m) {
   m.view.selected_tree = m.document.state().tree_of(m.view.selected_stem);
 }
 
+/// A change that can make another survey the reference.
+void change_frame(WindowModel& m, CommandPtr change) {
+  const bool had_place = m.document.state().georeference.kind != GeoreferenceKind::none;
+  m.execute(std::move(change));
+  if (!had_place || m.document.state().georeference.kind != GeoreferenceKind::none || m.document.is_empty()) return;
+  m.notices.add(Severity::warning, "The project has no place on the earth any more",
+                {Issue{Severity::warning, "", 0, "", "its georeference was that of the former reference's coordinates", "Place it again in step 4, or undo."}});
+}
+
 bool run_edit_action(WindowModel& m, ActionId action) {
   switch (action) {
     case edit_undo: m.document.undo(); keep_selection(m); return true;
     case edit_redo: m.document.redo(); keep_selection(m); return true;
     case edit_history: m.view.dialog = ui::Dialog::history; return true;
     case edit_coverage: start_shape(m, ui::Tool::coverage); m.view.mode = ui::ViewMode::map; return true;
-    case edit_make_reference: m.execute(set_reference(m.view.selected_inventory)); return true;
-    case edit_remove_inventory: m.execute(remove_inventory(m.view.selected_inventory)); return true;
+    case edit_make_reference: change_frame(m, set_reference(m.view.selected_inventory)); return true;
+    case edit_remove_inventory: change_frame(m, remove_inventory(m.view.selected_inventory)); return true;
     case align_run: run_alignment(m); return true;
     case align_cancel:
       if (const ui::JobView* job = m.status.running()) m.jobs.cancel(job->id);
@@ -98,23 +108,32 @@ void look_at_pages(WindowModel& m, ui::PrintedSheet sheet) {
   m.view.dialog = ui::Dialog::pages;
 }
 
+/// A decision, and the way to the next tree in doubt where the person wants that.
+void decide(WindowModel& m, const std::function<void()>& decision) {
+  const QueueRow* doubt = m.document.derived().doubt(m.view.selected_tree);
+  const bool asked = m.view.step == ui::Step::review && m.view.group.empty() && doubt != nullptr && !doubt->decided;
+  decision();
+  if (m.view.goes_on && asked) go_to_doubtful(m, true);
+}
+
 bool run_review_action(WindowModel& m, ActionId action) {
   switch (action) {
     case review_next: go_to_doubtful(m, true); return true;
     case review_previous: go_to_doubtful(m, false); return true;
-    case review_accept: accept_selected(m); return true;
-    case review_reject: reject_selected(m); return true;
+    case review_go_on: toggle(m.view.goes_on); return true;
+    case review_accept: decide(m, [&m] { accept_selected(m); }); return true;
+    case review_reject: decide(m, [&m] { reject_selected(m); }); return true;
     case review_link: start_tool(m, ui::Tool::link); return true;
     case review_swap: start_tool(m, ui::Tool::swap); return true;
     case review_merge: start_tool(m, ui::Tool::merge); return true;
     case review_split: split_selected(m); return true;
     case review_region: toggle_queue_region(m); return true;
     case review_clear_filters: m.view.queue = {}; m.view.only_fate.reset(); return true;
-    case review_unlink: unlink_selected(m); return true;
-    case review_dead: set_selected_fate(m, Fate::dead); return true;
-    case review_removed: set_selected_fate(m, Fate::removed); return true;
-    case review_missed_earlier: set_selected_fate(m, Fate::missed_earlier); return true;
-    case review_ingrowth: set_selected_fate(m, Fate::ingrowth); return true;
+    case review_unlink: decide(m, [&m] { unlink_selected(m); }); return true;
+    case review_dead: decide(m, [&m] { set_selected_fate(m, Fate::dead); }); return true;
+    case review_removed: decide(m, [&m] { set_selected_fate(m, Fate::removed); }); return true;
+    case review_missed_earlier: decide(m, [&m] { set_selected_fate(m, Fate::missed_earlier); }); return true;
+    case review_ingrowth: decide(m, [&m] { set_selected_fate(m, Fate::ingrowth); }); return true;
     case review_clear_fate: set_selected_fate(m, std::nullopt); return true;
     case export_preview_report: look_at_pages(m, ui::PrintedSheet::report); return true;
     case export_preview_field_check: look_at_pages(m, ui::PrintedSheet::field_check); return true;

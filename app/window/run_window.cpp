@@ -30,6 +30,8 @@ namespace {
 
 void say_glfw_error(int code, const char* text) { std::cerr << "window: " << text << " (" << code << ")\n"; }
 
+constexpr int least_width = 1024, least_height = 600;  ///< below that panels would lie over each other
+
 /// GLFW and its window; Dear ImGui on top. Ends in reverse.
 class GlfwWindow {
  public:
@@ -43,6 +45,7 @@ class GlfwWindow {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
     handle_ = glfwCreateWindow(width, height, "Stemwise", nullptr, nullptr);
+    if (handle_ != nullptr) glfwSetWindowSizeLimits(handle_, std::min(width, least_width), std::min(height, least_height), GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (handle_ == nullptr) return;
     glfwSetWindowSizeLimits(handle_, 1024, 640, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(handle_);

@@ -20,7 +20,9 @@ CommandPtr set_inventory_date(InventoryId id, std::optional<Date> date);
 /// The stems, frames and source of the inventory with that id, made anew; its name and date stay as they are in the project.
 /// Forgets what was said of its stems: matches, places in trees, an estimated coverage.
 CommandPtr replace_inventory(std::shared_ptr<const Inventory> inventory);
-CommandPtr set_reference(InventoryId id);  ///< forgets alignments and automatic matches
+/// A placed one: everything keeps its place (change_reference). Another one: alignments, automatic matches and the georeference
+/// are forgotten.
+CommandPtr set_reference(InventoryId id);
 /// Takes the result of align_surveys: poses, pairs and automatic matches replace the earlier ones, decisions by hand stay
 /// (linked stays linked, rejected stays rejected), tree ids stay wherever a tree keeps one of its stems.
 CommandPtr apply_alignment(SurveyAlignment result, std::vector<std::pair<InventoryId, Coverage>> coverages);

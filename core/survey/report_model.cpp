@@ -1,3 +1,4 @@
+#include "core/survey/drawn_ground.hpp"
 #include "core/survey/report_model.hpp"
 
 #include <algorithm>
@@ -94,7 +95,7 @@ void drop_empty_small_classes(ReportModel& model) {
   model.dbh_classes.erase(model.dbh_classes.begin(), filled);
 }
 
-/// Stand figures and DBH classes, over every living stem of every placed survey.
+/// Stand figures and DBH classes, over every living stem of every placed survey; where its coverage was drawn, over those inside.
 void count_stems(const ProjectState& state, const Tables& tables, ReportModel& model) {
   const auto index = survey_index(model);
   model.without_dbh.assign(model.placed, 0);
@@ -107,6 +108,8 @@ void count_stems(const ProjectState& state, const Tables& tables, ReportModel& m
     if (row.dbh_error_m) survey.dbh_error_m = row.dbh_error_m;
     if (!is_living(state, row.stem)) {
       ++survey.dead;
+    } else if (!model.options.area_ha && !is_on_drawn_ground(tables, survey.id, row.position_m)) {
+      ++survey.beyond_area;
     } else if (!row.dbh_m || *row.dbh_m <= 0.0 || *row.dbh_m > 20.0) {
       ++model.without_dbh[i];
     } else {

@@ -36,6 +36,7 @@ struct ReportSurvey {
   int stems = 0;
   int stems_with_dbh = 0;
   int dead = 0;                        ///< marked dead in the file: in no stand figure
+  int beyond_area = 0;                 ///< living, outside the coverage that was drawn: in no stand figure
   AlignmentStatus status = AlignmentStatus::unaligned;
   std::string reason;
   std::vector<std::string> trajectory_notes;  ///< what was done about its drift

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <numbers>
 #include <unordered_map>
 
+#include "core/survey/drawn_ground.hpp"
 #include "core/base/quantile.hpp"
 #include "core/geometry/shared_area.hpp"
 
@@ -161,14 +163,19 @@ StandChange change_of(const ProjectState& state, const Tables& tables, const Row
   if (from_date && to_date && *to_date > *from_date) change.years = years_between(*from_date, *to_date);
   Step step(change, options.class_width_cm, from_date, to_date);
   std::map<TreeId, Ends> trees;
+  std::set<TreeId> beyond;  // the ground that a person drew for the survey that saw it
   const auto take = [&](InventoryId id, Standing Ends::*end) {
     const auto found = rows.find(id);
     if (found == rows.end()) return;
-    for (const ObservationRow* row : found->second) trees[row->tree].*end = {row, state.find(row->stem)};
+    for (const ObservationRow* row : found->second) {
+      trees[row->tree].*end = {row, state.find(row->stem)};
+      if (!options.area_ha && !is_on_drawn_ground(tables, id, row->position_m)) beyond.insert(row->tree);
+    }
   };
   take(change.from, &Ends::earlier);
   take(change.to, &Ends::later);
-  for (const auto& [id, ends] : trees) step.add(ends);
+  for (const auto& [id, ends] : trees)
+    if (!beyond.contains(id)) step.add(ends);
   step.finish();
   set_area(tables, options, change);
   return change;

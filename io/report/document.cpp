@@ -92,6 +92,9 @@ ReportTable stand_table(const ReportModel& model) {
     table.rows.push_back(std::move(row));
   }
   table.note = "Basal area and mean DBH are over the living stems with a measured DBH; stems marked dead are in no figure of this table. ";
+  for (std::size_t i = 0; i < model.placed; ++i)
+    if (const ReportSurvey& s = model.surveys[i]; s.beyond_area > 0)
+      table.note += "Of " + s.name + " " + std::to_string(s.beyond_area) + " living stems lie outside the coverage that was drawn and are in no figure of this table. ";
   table.note += any_area ? "The hectares behind the per-hectare figures, and where they come from, stand in the table."
                          : "Without an area there are no per-hectare figures.";
   return table;

@@ -73,6 +73,7 @@ constexpr std::array<Action, action_count> table{{
     {align_accept_probable, "align.accept_probable", "Accept the probable pose", Menu::align, ctrl_shift('A'), "Takes the proposed pose of the selected inventory as aligned."},
     {review_next, "review.next", "Next doubtful tree", Menu::review, plain('N'), "Goes to the most doubtful undecided tree after this one."},
     {review_previous, "review.previous", "Previous doubtful tree", Menu::review, plain('P'), "Goes back in the queue."},
+    {review_go_on, "review.go_on", "Go on after each decision", Menu::review, shift('G'), "A decision on a tree in doubt leads to the next one at once; the decision before is a Ctrl+Z away."},
     {review_accept, "review.accept", "Accept", Menu::review, plain('A'), "These stems are one tree; also in later runs.", true},
     {review_reject, "review.reject", "Reject", Menu::review, plain('R'), "These stems are different trees; also in later runs."},
     {review_link, "review.link", "Link to…", Menu::review, plain('L'), "Click the stem that is the same tree."},

@@ -15,7 +15,7 @@ enum class ActionId {
   tool_select, tool_rectangle, tool_lasso, tool_measure,
   step_inventories, step_align, step_review, step_merge, step_report,
   align_run, align_cancel, align_accept_probable,
-  review_next, review_previous, review_accept, review_reject, review_link, review_unlink,
+  review_next, review_previous, review_go_on, review_accept, review_reject, review_link, review_unlink,
   review_swap, review_split, review_merge,
   review_dead, review_removed, review_missed_earlier, review_ingrowth, review_clear_fate, review_region, review_clear_filters,
   export_run, export_report, export_preview_report, export_field_check, export_preview_field_check,

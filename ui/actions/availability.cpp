@@ -43,6 +43,8 @@ void project_reasons(Reasons& r, const Project& project, const ViewState& view, 
   const Inventory* selected = state.find(view.selected_inventory);
   r.unless(selected != nullptr, {edit_make_reference, edit_remove_inventory, align_accept_probable}, "Select an inventory in the left panel first");
   r.unless(view.selected_inventory != state.reference, {edit_make_reference}, "It is the reference already");
+  const bool others_lie = std::any_of(state.alignments.begin(), state.alignments.end(), [&](const auto& entry) { return entry.first != state.reference && state.is_placed(entry.first); });
+  r.unless(selected == nullptr || !others_lie || state.is_placed(view.selected_inventory), {edit_make_reference}, "Align it first: as the reference it would take their places from the surveys that are aligned");
   r.unless(selected != nullptr && state.is_placed(view.selected_inventory), {edit_coverage}, "Select an inventory in the left panel that has a place: the reference, or an aligned one");
   const InventoryId compared = survey_to_compare(state, view);
   r.unless(compared && state.is_placed(compared), {view_before_after}, "No survey was aligned to the reference yet");

@@ -134,7 +134,10 @@ void InventoryDetails::draw_dbh_error(Widgets& w, Frame& frame, const Inventory&
   w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "cm (0: from the matched stems)", TextRole::table, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
   w.number("details/dbh_error", error_cm_, "%.2f");
-  if (!ImGui::IsItemDeactivatedAfterEdit() || error_cm_ < 0.0) return;
+  const bool left = ImGui::IsItemDeactivatedAfterEdit();
+  const bool possible = error_cm_ >= 0.0 && error_cm_ <= 50.0;
+  if (!possible) w.paragraph("An error lies between 0 and 50 cm: this one is not taken.", TextRole::table, Tone::warning);
+  if (!left || !possible) return;
   frame.requests.emit(request::SetDbhError{inventory.id, error_cm_ == 0.0 ? std::nullopt : std::optional(error_cm_ / 100.0)});
 }
 

@@ -24,6 +24,7 @@ bool is_on(const Frame& frame, ActionId id) {
     case ActionId::view_bottom: return v.panels.show_bottom;
     case ActionId::view_theme: return v.theme == ThemeName::dark;
     case ActionId::view_reduce_motion: return v.reduce_motion;
+    case ActionId::review_go_on: return v.goes_on;
     case ActionId::view_before_after: return v.before_after;
     case ActionId::view_ghost: return v.ghost;
     case ActionId::tool_lasso: return v.tool == Tool::lasso;

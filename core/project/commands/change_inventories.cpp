@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/project/assign_trees.hpp"
+#include "core/project/change_reference.hpp"
 #include "core/project/commands.hpp"
 #include "core/project/commands/whole_state.hpp"
 
@@ -52,6 +53,17 @@ InventoryId default_reference(const ProjectState& state) {
   return best == nullptr ? InventoryId{} : best->id;
 }
 
+/// When the reference goes: of the inventories that are placed in its frame the one with most trees. None where there is none,
+/// or where another one goes.
+InventoryId next_reference(const ProjectState& state, InventoryId gone) {
+  const Inventory* best = nullptr;
+  for (const auto& inventory : state.inventories) {
+    if (gone != state.reference || inventory->id == gone || !state.is_placed(inventory->id)) continue;
+    if (best == nullptr || inventory->stems.size() > best->stems.size()) best = inventory.get();
+  }
+  return best == nullptr ? InventoryId{} : best->id;
+}
+
 std::shared_ptr<const Inventory>& slot(ProjectState& state, InventoryId id) {
   const auto found =
       std::find_if(state.inventories.begin(), state.inventories.end(), [&](const auto& i) { return i->id == id; });
@@ -90,6 +102,7 @@ CommandPtr add_inventory(Inventory inventory) {
 CommandPtr remove_inventory(InventoryId id) {
   return whole_state("Remove inventory", [id](ProjectState& state) {
     slot(state, id);
+    if (const InventoryId next = next_reference(state, id)) change_reference(state, next);  // the others keep their places
     std::erase_if(state.inventories, [&](const auto& i) { return i->id == id; });
     std::erase_if(state.matches, [&](const auto& m) { return m.first.first.inventory == id || m.first.second.inventory == id; });
     std::erase_if(state.pairs, [&](const PairReport& p) { return p.a == id || p.b == id; });
@@ -98,6 +111,7 @@ CommandPtr remove_inventory(InventoryId id) {
     state.dbh_error_m.erase(id);
     if (state.reference == id) {
       forget_alignment(state);
+      state.georeference = {};
       state.reference = default_reference(state);
     }
     assign_trees(state);
@@ -137,7 +151,9 @@ CommandPtr set_reference(InventoryId id) {
   return whole_state("Set reference", [id](ProjectState& state) {
     slot(state, id);
     if (state.reference == id) return;
+    if (state.is_placed(id)) return change_reference(state, id);
     forget_alignment(state);
+    state.georeference = {};  // it was said about the other frame
     state.reference = id;
     assign_trees(state);
   });

@@ -1,4 +1,5 @@
 #include "app/align_job.hpp"
+#include "core/geodesy/georeference.hpp"
 #include "io/project_file.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/app/window/window_fixture.hpp"
@@ -92,6 +93,45 @@ TEST_F(DriftingWalk, ReopenedAFaithfulWalkIsAlignedByItsFramesAgain) {
   std::map<InventoryId, InventoryAlignment> poses;
   for (const InventoryAlignment& a : again.alignment.inventories) poses[a.inventory] = a;
   EXPECT_EQ(poses, saved->alignments);
+}
+
+TEST_F(WindowTest, AnotherReferenceKeepsPlacesDecisionsAndTreesAlsoWhenAllIsAlignedAgain) {
+  open_surveys(220);
+  align();
+  Georeference place;
+  place.kind = GeoreferenceKind::anchor;
+  place.origin = {48.5, 8.25, 500.0};
+  place.azimuth_deg = 12.5;
+  model().execute(set_georeference(place));
+  window().settle();
+  const TreeId tree = model().document.derived().tables.trees[10].tree;
+  model().execute(set_tree_note(tree, "fork", {"Ada", "2026-11-22T10:00:00Z", ""}));
+  model().execute(set_fate(tree, Fate::dead, {"Ada", "2026-11-22T10:00:00Z", ""}));
+  window().settle();
+  const auto on_earth = [&] { return geodetic_from_reference(state().georeference, model().document.derived().tables.find(tree)->position_m); };
+  const Geodetic before = on_earth();
+  const ProjectState as_it_was = state();
+  InventoryId other;
+  for (const auto& inventory : state().inventories)
+    if (inventory->id != state().reference) other = inventory->id;
+  window().press(ui::ActionId::step_inventories);
+  model().view.selected_inventory = other;
+  window().frames(2);
+  window().press(ui::ActionId::edit_make_reference);
+  window().settle();
+  ASSERT_EQ(state().reference, other);
+  EXPECT_NEAR(on_earth().latitude_deg, before.latitude_deg, 2e-7);  // some cm: the tree's middle may be taken elsewhere
+  EXPECT_NEAR(on_earth().longitude_deg, before.longitude_deg, 2e-7);
+  align();
+  EXPECT_EQ(state().trees.at(tree).note, "fork");
+  EXPECT_EQ(state().trees.at(tree).fate_by_hand, Fate::dead);
+  EXPECT_NEAR(on_earth().latitude_deg, before.latitude_deg, 5e-6);
+  std::size_t same = 0;
+  for (const auto& [id, record] : as_it_was.trees) {
+    const auto now = state().trees.find(id);
+    same += now != state().trees.end() && now->second.stems == record.stems ? 1 : 0;
+  }
+  EXPECT_GE(same, as_it_was.trees.size() * 97 / 100);
 }
 
 }  // namespace

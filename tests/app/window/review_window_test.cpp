@@ -212,5 +212,55 @@ TEST_F(WindowTest, AFateThatTheSightingsContradictIsGreyedOutAndSkippedInAGroup)
   EXPECT_NE(model().notices.all().front().title.find("1 tree was left"), std::string::npos) << model().notices.all().front().title;
 }
 
+TEST_F(WindowTest, WhoWantsItIsLedToTheNextTreeByEachDecision) {
+  open_surveys(400);
+  align();
+  window().press(ui::ActionId::review_go_on);
+  window().press(ui::ActionId::review_next);
+  window().settle();
+  std::set<TreeId> seen;
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_TRUE(seen.insert(model().view.selected_tree).second) << i;
+    window().press(ui::ActionId::review_accept);  // no waiting for the tables
+    EXPECT_EQ(state().edit_log.size(), static_cast<std::size_t>(i + 1));
+  }
+  window().settle();
+  EXPECT_EQ(model().document.derived().decided, 8);
+}
+
+TEST_F(WindowTest, ASecondAcceptDoesNotDecideOnSomethingElseOfTheTree) {
+  open_surveys(400, {2013, 2018, 2023});
+  align();
+  const std::vector<QueueRow>& queue = model().document.derived().tables.queue;
+  const auto row = std::find_if(queue.begin(), queue.end(), [&](const QueueRow& q) {
+    return !q.match && std::ranges::any_of(model().document.derived().matches_of(q.tree), [](const MatchRow* match) { return match->state == MatchState::automatic; });
+  });
+  ASSERT_NE(row, queue.end());  // its fate is in doubt, and it has a match that nobody doubts
+  select_tree(model(), row->tree, true);
+  window().press(ui::ActionId::step_review);
+  window().frames(2);
+  for (int i = 0; i < 3; ++i) {
+    window().press(ui::ActionId::review_accept);
+    window().settle();
+  }
+  EXPECT_EQ(state().edit_log.size(), 1u);
+}
+
+TEST_F(WindowTest, TheArrowKeysOfTheQueueSelectTheRowThatTheyReach) {
+  open_surveys(400);
+  align();
+  window().press(ui::ActionId::step_review);
+  window().settle();
+  ASSERT_TRUE(window().click("queue/row/0"));
+  window().frames(3);
+  const TreeId first = model().view.selected_tree;
+  window().press({ui::Key::down});
+  window().frames(3);
+  window().press({ui::Key::down});
+  window().frames(3);
+  EXPECT_NE(model().view.selected_tree, first);
+  EXPECT_EQ(tree_label(model().view.selected_tree), window().value("queue/row/2"));
+}
+
 }  // namespace
 }  // namespace stemwise

@@ -1,4 +1,6 @@
 #include "core/project/commands.hpp"
+#include "core/geodesy/georeference.hpp"
+#include "core/geometry/rigid_transform.hpp"
 #include "core/project/commands/match_editor.hpp"
 #include "core/project/regroup_commands.hpp"
 #include "core/survey/tables.hpp"
@@ -248,6 +250,85 @@ TEST(ApplyAlignment, KeepsTheIdsOfExistingTreesWhenASurveyIsAddedAndRemovedAgain
   project.execute(remove_inventory(project.state().inventories.back()->id));
   EXPECT_EQ(project.state().trees, before.trees);
   EXPECT_EQ(project.state().next_tree, before.next_tree);
+}
+
+/// Three surveys of one stand, turned and shifted against each other and placed on the earth; some decisions.
+Project placed_project() {
+  Project project = aligned_project();
+  SurveyAlignment result = test::straight_alignment(project.state());
+  result.inventories[1].reference_from_inventory = RigidTransform::planar(12.0, -7.0, 0.8);
+  result.inventories[2].reference_from_inventory = {rotation_from({0.01, -0.02, -2.1}), {3.0, 40.0, 1.5}};
+  result.inventories[2].second_best_pose = RigidTransform::planar(1.0, 2.0, 0.1);
+  project.execute(apply_alignment(result, {}));
+  project.execute(set_georeference(anchor));
+  project.execute(set_fate(project.state().tree_of(stem_of(project, 0, 3)), Fate::dead, stamp));
+  project.execute(set_tree_note(project.state().tree_of(stem_of(project, 0, 5)), "fork", stamp));
+  project.execute(reject_match(stem_of(project, 0, 7), stem_of(project, 1, 7), stamp));
+  return project;
+}
+
+void expect_same_places(const ProjectState& before, const ProjectState& after) {
+  for (const auto& inventory : after.inventories) {
+    for (std::size_t i = 0; i < inventory->stems.size(); ++i) {
+      const StemRef stem{inventory->id, static_cast<std::int64_t>(i)};
+      const Geodetic was = geodetic_from_reference(before.georeference, before.stem_in_reference_m(stem));
+      const Geodetic is = geodetic_from_reference(after.georeference, after.stem_in_reference_m(stem));
+      EXPECT_NEAR(is.latitude_deg, was.latitude_deg, 1e-11);
+      EXPECT_NEAR(is.longitude_deg, was.longitude_deg, 1e-11);
+      EXPECT_NEAR(is.height_m, was.height_m, 1e-5);
+    }
+  }
+}
+
+TEST(ChangeReference, LeavesEveryStemWhereItIsOnTheEarthAndEveryDecision) {
+  Project project = placed_project();
+  const ProjectState before = project.state();
+  project.execute(set_reference(before.inventories[2]->id));
+  const ProjectState& after = project.state();
+  EXPECT_EQ(after.reference, before.inventories[2]->id);
+  expect_same_places(before, after);
+  EXPECT_EQ(after.trees, before.trees);
+  EXPECT_EQ(after.matches, before.matches);
+  EXPECT_EQ(after.edit_log, before.edit_log);
+  EXPECT_EQ(after.alignments.at(before.reference).status, AlignmentStatus::aligned);
+  project.execute(set_reference(before.reference));  // and back
+  expect_same_places(before, project.state());
+  project.undo();
+  project.undo();
+  EXPECT_EQ(project.state(), before);
+}
+
+TEST(ChangeReference, HappensWhenTheReferenceIsRemoved) {
+  Project project = placed_project();
+  const ProjectState before = project.state();
+  const TreeId dead = before.tree_of(stem_of(project, 0, 3));
+  project.execute(remove_inventory(before.reference));
+  EXPECT_TRUE(project.state().is_placed(before.inventories[1]->id));
+  EXPECT_TRUE(project.state().is_placed(before.inventories[2]->id));
+  expect_same_places(before, project.state());
+  EXPECT_EQ(project.state().trees.at(dead).fate_by_hand, Fate::dead);
+}
+
+TEST(ChangeReference, TakesAwayAGeoreferenceThatOnlyTheOldFrameHas) {
+  Project project = placed_project();
+  Georeference crs;
+  crs.kind = GeoreferenceKind::crs;
+  crs.epsg = 32632;
+  project.execute(set_georeference(crs));
+  project.execute(set_reference(project.state().inventories[1]->id));
+  EXPECT_EQ(project.state().georeference.kind, GeoreferenceKind::none);
+  project.undo();
+  EXPECT_EQ(project.state().georeference, crs);
+}
+
+TEST(SwapStems, BindsBothTreesWholeSoThatALaterRunKeepsThem) {
+  Project project = aligned_project();
+  const StemRef a = stem_of(project, 1, 3), b = stem_of(project, 1, 4);
+  project.execute(swap_stems(a, b, stamp));
+  for (const auto& [first, middle, last] : {std::tuple{3, b, 3}, {4, a, 4}}) {
+    EXPECT_EQ(project.state().matches.at(ordered(stem_of(project, 0, first), middle)).state, MatchState::linked);
+    EXPECT_EQ(project.state().matches.at(ordered(middle, stem_of(project, 2, last))).state, MatchState::linked);
+  }
 }
 
 }  // namespace

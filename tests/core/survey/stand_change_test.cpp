@@ -7,6 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "core/geometry/shared_area.hpp"
+#include "core/survey/report_model.hpp"
 #include "core/survey/stand_growth.hpp"
 #include "tests/core/project/small_project.hpp"
 
@@ -78,6 +79,21 @@ TEST(StandChange, TakesTheAreaGivenOrWhatBothSurveysCoveredAndNeverAnother) {
   const StandChange none = stand_changes(bare.state(), derive_tables(bare.state())).front();
   EXPECT_FALSE(none.area_ha);
   EXPECT_FALSE(periodic_increment(none)->per_ha);
+}
+
+TEST(StandChange, CountsPerHectareOnlyWhatStandsOnTheGroundThatWasDrawn) {
+  Project project = changed_project();  // stems every 5 m: x 0 to 45, y 0 and 5
+  for (const auto& inventory : project.state().inventories) project.execute(set_coverage(inventory->id, {square(-2.5, -2.5, 25), CoverageSource::drawn}));
+  const Tables tables = derive_tables(project.state());
+  const StandChange change = stand_changes(project.state(), tables).front();
+  EXPECT_NEAR(*change.area_ha, 0.0625, 1e-9);
+  EXPECT_EQ(earlier_stock(change.all).stems, 10);
+  const ReportModel model = make_report_model(project.state(), tables, {});
+  EXPECT_EQ(model.surveys[0].stems_with_dbh, 10);
+  EXPECT_EQ(model.surveys[0].beyond_area, 10);
+  const ReportModel given = make_report_model(project.state(), tables, {.area_ha = 1.0});
+  EXPECT_EQ(given.surveys[0].stems_with_dbh, 20);
+  EXPECT_EQ(given.surveys[0].beyond_area, 0);
 }
 
 TEST(StandChange, KeepsTreesThatWereNotSurveyedOutOfMortality) {

@@ -136,6 +136,23 @@ TEST(DeriveTables, ADeadStemsDiameterIsNoGrowthAnywhere) {
   EXPECT_TRUE(chart.note.starts_with("19 stems")) << chart.note;
 }
 
+TEST(DeriveTables, SaysOfATreesWholeTimeWhetherItGrewWhateverItsLastStepWas) {
+  Project project = aligned_project();
+  Inventory middle = *project.state().inventories[1];
+  *middle.stems[3].dbh_m += 0.30;  // read too large once
+  ProjectState state = project.state();
+  state.inventories[1] = std::make_shared<const Inventory>(middle);
+  const Tables tables = derive_tables(state);
+  const TreeRow* tree = tables.find(state.tree_of(stem_of(project, 0, 3)));
+  const double change_m = *state.inventories[2]->stems[3].dbh_m - *state.inventories[0]->stems[3].dbh_m;
+  EXPECT_EQ(tree->growth_from, state.inventories[0]->id);
+  EXPECT_EQ(tree->growth_to, state.inventories[2]->id);
+  EXPECT_GT(change_m, 0.0);
+  EXPECT_NE(tree->growth, ChangeClass::shrank);
+  const auto last = std::find_if(tables.matches.begin(), tables.matches.end(), [&](const MatchRow& m) { return m.b == stem_of(project, 2, 3); });
+  EXPECT_EQ(last->change, ChangeClass::shrank);
+}
+
 TEST(DeriveTables, AFieldCodeOfAFelledStemMakesItsTreeRemoved) {
   Project project = aligned_project();
   Inventory last = *project.state().inventories[2];
