@@ -103,6 +103,7 @@ struct Shell::Impl {
   Palette palette;
   Dialog browsing = Dialog::none;  ///< which dialog the file browser is open for
 
+  bool leaves_field = false;
   bool enter_was_typed = false;    ///< the Enter key that is down belongs to a text field
 
   void take_keys_from_imgui();
@@ -134,7 +135,7 @@ bool Shell::prepare(const ViewState& view, float scale) {
   return new_fonts;
 }
 
-void Shell::leave_field() { ImGui::ClearActiveID(); }
+void Shell::leave_field() { impl_->leaves_field = true; }
 
 /// Before a frame: which of Dear ImGui's own keys mean something else here.
 void Shell::Impl::take_keys_from_imgui() {
@@ -153,6 +154,7 @@ void Shell::draw(Frame& frame) {
   Widgets& w = impl_->widgets;
   w.registry.begin_frame();
   w.focus.begin_frame();
+  if (std::exchange(impl_->leaves_field, false)) ImGui::ClearActiveID();
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyPressed(258)) w.focus.move(!io.KeyShift);
   if (frame.view.dialog == Dialog::none) impl_->keys.run(frame.available, frame.requests);

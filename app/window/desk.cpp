@@ -43,7 +43,7 @@ std::string project_folder(const Document& document) {
 
 /// The panels can be used where they have so much room at 100 %; a smaller window is never zoomed out below that.
 double most_zoom_percent(float width, float height) {
-  constexpr double least_width = 980.0, least_height = 560.0, step = 10.0;
+  constexpr double least_width = 940.0, least_height = 530.0, step = 10.0;
   if (width <= 0.0f || height <= 0.0f) return 200.0;  // not known before the first frame
   const double fits = std::min(width / least_width, height / least_height) * 100.0;
   return std::clamp(std::floor(fits / step) * step, 100.0, 200.0);

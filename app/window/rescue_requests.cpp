@@ -8,6 +8,7 @@
 namespace stemwise {
 namespace {
 
+constexpr double far_from_m = 1.0;
 constexpr double contradicted_from_m = 2.5;  ///< pose_by_hand brings pairs together to this
 
 /// The stem of the same tree in the reference: that is what a pair means to the alignment.
@@ -37,7 +38,7 @@ NamedPairs named_pairs(const ProjectState& state, const SurveyAlignment& result,
     const double apart_m = (there.head<2>() - Eigen::Vector2d(a->x_m, a->y_m)).norm();
     const std::string words = ui::stem_label(state, known) + " and " + ui::stem_label(state, other) + " lie " + ui::distance_text(apart_m) + " apart";
     const bool contradicted = apart_m > contradicted_from_m;
-    if (apart_m > std::max(1.0, 3.0 * pose->position_noise_m)) {
+    if (apart_m > far_from_m) {  // whatever the noise: a wrong pair makes it large
       named.far_apart.push_back({Severity::warning, "", 0, "", words + (contradicted ? ": not linked, the other pairs say otherwise" : ", and are linked since you named them"),
                                  "If they are not the same tree, undo the alignment, take the pair out and name another one."});
     }

@@ -83,9 +83,9 @@ TEST_F(GroupTest, TheRectangleToolDoesTheSameWithoutShiftAndFatesMeanAll) {
   const std::vector<TreeId> group = model().view.group;
   ASSERT_GE(group.size(), 2u);
   EXPECT_EQ(model().view.tool, ui::Tool::select);
-  window().press(ui::ActionId::review_removed);
+  window().press(ui::ActionId::review_dead);
   window().settle();
-  for (const TreeId tree : group) EXPECT_EQ(state().trees.at(tree).fate_by_hand, Fate::removed);
+  for (const TreeId tree : group) EXPECT_EQ(state().trees.at(tree).fate_by_hand, Fate::dead);
 }
 
 TEST_F(GroupTest, CtrlAndAClickAddAndTakeAwayATree) {

@@ -85,13 +85,15 @@ TEST_F(WindowTest, TheHistoryGoesToAnyChangeAndTheEditLogIsFiltered) {
   ASSERT_TRUE(tree);
   click_in_map(tree);
   window().press(ui::ActionId::review_dead);
-  window().press(ui::ActionId::review_removed);
+  window().frames(3);
+  window().press(ui::ActionId::review_clear_fate);
+  window().press(ui::ActionId::review_dead);
   window().settle();
   const ProjectState after = state();
   const std::size_t now = model().document.project().history_position();
   window().press(ui::ActionId::edit_history);
   window().frames(3);
-  ASSERT_TRUE(window().click("history/" + std::to_string(now - 2)));
+  ASSERT_TRUE(window().click("history/" + std::to_string(now - 3)));
   window().settle();
   EXPECT_FALSE(state().trees.at(tree).fate_by_hand);
   ASSERT_TRUE(window().click("history/" + std::to_string(now)));
