@@ -131,9 +131,9 @@ void InventoryDetails::draw_dbh_error(Widgets& w, Frame& frame, const Inventory&
   }
   w.section("DBH error of one measurement");
   const Rect row = w.next_rect(w.available_width(), w.px(28));
-  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "cm (0: from the matched stems)", TextRole::table, Tone::secondary);
+  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "Standard deviation, cm", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
-  w.number("details/dbh_error", error_cm_, "%.2f");
+  w.number("details/dbh_error", error_cm_, "%.2f", 0.0f, "from matches");
   if (!ImGui::IsItemDeactivatedAfterEdit() || error_cm_ < 0.0) return;
   frame.requests.emit(request::SetDbhError{inventory.id, error_cm_ == 0.0 ? std::nullopt : std::optional(error_cm_ / 100.0)});
 }
