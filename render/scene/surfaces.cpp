@@ -143,7 +143,7 @@ std::vector<LineSegment> coverage_outlines(const SceneModel& scene) {
     for (std::size_t i = 0; i < shape.corners_m.size(); ++i) {
       const Eigen::Vector2d& a = shape.corners_m[i];
       const Eigen::Vector2d& b = shape.corners_m[(i + 1) % shape.corners_m.size()];
-      segments.push_back({{a.x(), a.y(), 0.0}, {b.x(), b.y(), 0.0}, shape.outline.with_alpha(0.65), 1.2, 6.0, along_m});
+      segments.push_back({{a.x(), a.y(), 0.0}, {b.x(), b.y(), 0.0}, shape.outline.with_alpha(0.5), 1.2, 6.0, along_m});
       along_m += (b - a).norm();
     }
   }

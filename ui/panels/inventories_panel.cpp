@@ -81,8 +81,8 @@ void InventoriesPanel::draw(Widgets& w, Frame& frame) {
 void InventoriesPanel::draw_head(Widgets& w, Frame& frame) {
   const Rect row = w.next_rect(w.available_width(), w.px(28));
   w.text_in(row, "Inventories", TextRole::head, Tone::text);
-  const float width = w.px(56);
-  w.button_in({row.right() - width, row.y + w.px(2), width, w.px(24)}, "inventories/add", "+ Add",
+  const float width = w.text_width("+ Add", TextRole::strong) + w.px(8);  // its word ends where the cards do
+  w.button_in({row.right() + w.px(4) - width, row.y + w.px(2), width, w.px(24)}, "inventories/add", "+ Add",
               {.quiet = true, .why_not = frame.available[static_cast<std::size_t>(ActionId::file_add)].why_not, .tooltip = "Adds stem lists or frame folders  (Ctrl+I)"})
       ? frame.requests.run(ActionId::file_add)
       : void();

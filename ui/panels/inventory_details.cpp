@@ -131,9 +131,9 @@ void InventoryDetails::draw_dbh_error(Widgets& w, Frame& frame, const Inventory&
   }
   w.section("DBH error of one measurement");
   const Rect row = w.next_rect(w.available_width(), w.px(28));
-  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "cm (0: from the matched stems)", TextRole::table, Tone::secondary);
+  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "Standard deviation, cm", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
-  w.number("details/dbh_error", error_cm_, "%.2f");
+  w.number("details/dbh_error", error_cm_, "%.2f", 0.0f, "from matches");
   const bool left = ImGui::IsItemDeactivatedAfterEdit();
   const bool possible = error_cm_ >= 0.0 && error_cm_ <= 50.0;
   if (!possible) w.paragraph("An error lies between 0 and 50 cm: this one is not taken.", TextRole::table, Tone::warning);

@@ -11,11 +11,11 @@
 namespace stemwise::ui {
 namespace {
 
-void labelled_number(Widgets& w, const char* path, const char* name, double& value, const char* format, const char* hint = "") {
+void labelled_number(Widgets& w, const char* path, const char* name, double& value, const char* format, const char* hint = "", const char* at_zero = nullptr) {
   const Rect row = w.next_rect(w.available_width(), w.px(28));
   w.text_in({row.x, row.y, row.width * 0.52f, row.height}, name, TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.54f, row.y});
-  w.number(path, value, format);
+  w.number(path, value, format, 0.0f, at_zero);
   if (*hint != '\0' && ImGui::IsItemHovered()) w.tooltip(hint);
 }
 
@@ -86,8 +86,8 @@ void PlacementFormPanel::draw_ways(Widgets& w, Frame& frame) {
 
 void PlacementFormPanel::draw_anchor(Widgets& w, Frame& frame) {
   PlacementForm& form = frame.view.placement;
-  labelled_number(w, "merge/lat", "Latitude, °", form.latitude_deg, "%.8f");
-  labelled_number(w, "merge/lon", "Longitude, °", form.longitude_deg, "%.8f");
+  labelled_number(w, "merge/lat", "Latitude, °", form.latitude_deg, "%.8f", "North is positive", "decimal degrees");
+  labelled_number(w, "merge/lon", "Longitude, °", form.longitude_deg, "%.8f", "East is positive", "decimal degrees");
   labelled_number(w, "merge/height", "Height, m", form.height_m, "%.2f", "Above the ellipsoid, or above the geoid that is named below");
   draw_azimuth(w, frame);
   labelled_number(w, "merge/sd", "Uncertainty (1 sd), m", form.sd_m, "%.2f");
@@ -101,7 +101,7 @@ void PlacementFormPanel::draw_azimuth(Widgets& w, Frame& frame) {
   w.text_in({row.x, row.y, row.width * 0.52f, row.height}, "It counts from", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.54f, row.y});
   w.combo("merge/azimuth_kind", {"true north", "grid north (UTM)", "magnetic north"}, form.azimuth_kind, row.width * 0.46f);
-  if (form.azimuth_kind == 2) labelled_number(w, "merge/declination", "Declination, ° (0: model)", form.declination_deg, "%.2f", "Of the needle, east is positive; 0: by the model of the earth's field on the reference's date");
+  if (form.azimuth_kind == 2) labelled_number(w, "merge/declination", "Declination, °", form.declination_deg, "%.2f", "Of the needle, east is positive; empty: by the model of the earth's field on the reference's date", "by the model");
 }
 
 void PlacementFormPanel::draw_geoid(Widgets& w, Frame& frame) {
@@ -144,9 +144,9 @@ void PlacementFormPanel::draw_typed(Widgets& w, Frame& frame) {
     return;
   }
   w.text("Or " + tree_label(tree) + " stands at", TextRole::table, Tone::secondary);
-  labelled_number(w, "merge/typed/lat", "Latitude, °", latitude_deg_, "%.7f", "WGS 84, north positive");
-  labelled_number(w, "merge/typed/lon", "Longitude, °", longitude_deg_, "%.7f", "WGS 84, east positive");
-  labelled_number(w, "merge/typed/height", "Height, m", height_m_, "%.2f", "Above the ellipsoid or the geoid that is chosen below; 0: not known");
+  labelled_number(w, "merge/typed/lat", "Latitude, °", latitude_deg_, "%.7f", "WGS 84, north positive", "decimal degrees");
+  labelled_number(w, "merge/typed/lon", "Longitude, °", longitude_deg_, "%.7f", "WGS 84, east positive", "decimal degrees");
+  labelled_number(w, "merge/typed/height", "Height, m", height_m_, "%.2f", "Above the ellipsoid or the geoid that is chosen below", "not known");
   const std::string why_not = latitude_deg_ == 0.0 && longitude_deg_ == 0.0 ? "Type the latitude and longitude of this tree" : std::abs(latitude_deg_) > 90.0 || std::abs(longitude_deg_) > 180.0 ? "There is no such place" : "";
   if (w.button("merge/typed/add", "Add this point", {.width = -1.0f, .why_not = why_not})) {
     std::erase_if(form.typed, [&](const TypedControl& t) { return t.tree == tree; });

@@ -52,9 +52,9 @@ void ReportPanel::draw_report(Widgets& w, Frame& frame) {
   w.paragraph("A file ending in .html, .pdf, .xlsx or .csv.", TextRole::caption, Tone::secondary);
   if (w.path_field("report/path", report_path_, "report/browse")) frame.view.dialog = Dialog::report_path;
   const Rect row = w.next_rect(w.available_width(), w.px(28));
-  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "Area, ha (0: of the coverage)", TextRole::body, Tone::secondary);
+  w.text_in({row.x, row.y, row.width * 0.6f, row.height}, "Area, ha", TextRole::body, Tone::secondary);
   ImGui::SetCursorScreenPos({row.x + row.width * 0.62f, row.y});
-  w.number("report/area", frame.view.report_area_ha, "%.3f");
+  w.number("report/area", frame.view.report_area_ha, "%.3f", 0.0f, "of the coverage");
   draw_contents(w, frame);
   w.gap(6);
   const std::string& no_trees = frame.available[static_cast<std::size_t>(ActionId::export_report)].why_not;

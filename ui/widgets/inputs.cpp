@@ -144,15 +144,16 @@ bool Widgets::path_field(const std::string& path, std::string& value, const std:
   return button_in({line.right() - button_width, line.y, button_width, line.height}, browse_path, "Browse…");
 }
 
-bool Widgets::number(const std::string& path, double& value, const char* format, float width_px) {
+bool Widgets::number(const std::string& path, double& value, const char* format, float width_px, const char* at_zero) {
   const FieldPadding padding(*this);
   ImGui::PushID(path.c_str());
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
+  if (at_zero == nullptr || value != 0.0) std::snprintf(text.data(), text.size(), format, value);
   bool changed = false;
-  if (ImGui::InputText("##number", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter, only_of_numbers)) {
-    const std::optional<double> typed = number_from_text(text.data());
+  if (ImGui::InputTextWithHint("##number", at_zero == nullptr ? "" : at_zero, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter, only_of_numbers)) {
+    const bool is_cleared = at_zero != nullptr && text.front() == '\0';
+    const std::optional<double> typed = is_cleared ? std::optional(0.0) : number_from_text(text.data());
     changed = typed.has_value();
     if (typed) value = *typed;
     no_number_ = typed ? "" : path;

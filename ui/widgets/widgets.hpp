@@ -78,7 +78,8 @@ class Widgets {
   /// A field for a file's path with a button beside it; true: the button was pressed.
   bool path_field(const std::string& path, std::string& value, const std::string& browse_path, const InputLook& look = {});
   /// A decimal comma counts as a point. While the text is no number the value stays, and the field says so.
-  bool number(const std::string& path, double& value, const char* format, float width_px = 0.0f);
+  /// With `at_zero` an empty field is 0 and says what that means: "from the coverage".
+  bool number(const std::string& path, double& value, const char* format, float width_px = 0.0f, const char* at_zero = nullptr);
   /// `format`: printf's, of a float ("%.0f %%").
   bool slider(const std::string& path, float& value, float low, float high, const char* format, float width_px = 0.0f);
   bool fold(const std::string& path, const std::string& label, bool& open);  ///< a head that opens and closes
