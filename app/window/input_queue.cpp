@@ -23,7 +23,7 @@ class Share {
       case State::letters: return e.kind == Kind::character || (e.kind == Kind::key && !is_modifier(e.code) && (!e.down || (typing_ && is_letter)));
       case State::struck: return e.kind == Kind::character;
       case State::clicked: return false;
-      case State::turned: return e.kind == Kind::wheel;
+      case State::turned: return e.kind == Kind::wheel || e.kind == Kind::move;  // a hand that turns it moves too: waiting would only lag
     }
     return false;
   }

@@ -8,7 +8,7 @@ namespace stemwise {
 struct WindowOptions {
   std::vector<std::string> paths;  ///< a project, or inventories; may be empty
   // For scripts and tests:
-  std::string ui_json;             ///< write the widgets' places here whenever they change
+  std::string ui_json;             ///< write the widgets' places here whenever they change, with window/inputs and window/settled to wait for
   std::string script;              ///< run these lines without a display instead (app/window/window_script.hpp)
   int width = 0, height = 0;       ///< 0: as remembered
 };

@@ -117,12 +117,13 @@ TEST_F(InputQueueTest, TheWayOfTheMouseIsOnlyItsEnd) {
   EXPECT_THAT(frames(false), ElementsAre("@49"));
 }
 
-TEST_F(InputQueueTest, TheWheelTurnsWhereTheMouseWas) {
-  move(10);
-  queue_.add({.kind = Kind::wheel, .y = 1});
-  queue_.add({.kind = Kind::wheel, .y = 1});
-  move(90);
-  EXPECT_THAT(frames(false), ElementsAre("@10 w w", "@90"));
+TEST_F(InputQueueTest, TheWheelDoesNotLagBehindAHandThatMovesAsItTurns) {
+  for (double x = 10; x < 13; ++x) {
+    move(x);
+    queue_.add({.kind = Kind::wheel, .y = 1});
+  }
+  button(true, 12);
+  EXPECT_THAT(frames(false), ElementsAre("@10 w @11 w @12 w", "(12"));
 }
 
 TEST_F(InputQueueTest, KeysAndButtonsHandedOutAreCounted) {
