@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/survey/fusion_choices.hpp"
+#include "tests/app/run_program.hpp"
 #include "tests/app/window/window_fixture.hpp"
 #include "ui/frame.hpp"
 #include "ui/text/format.hpp"
@@ -178,6 +179,43 @@ TEST_F(MergeTest, AnAnchorIsPlacedAfterItsPlaceWasShown) {
   EXPECT_EQ(state().georeference.kind, GeoreferenceKind::anchor);
   EXPECT_EQ(window().value("steps/4"), "UTM 32N, EPSG:32632");
   EXPECT_FALSE(window().has("merge/apply"));  // it lies there already
+}
+
+TEST_F(MergeTest, AGnssTrackPlacesAWalkThatWasSurveyedWithIt) {
+  const auto made = testing::run_stemwise({"simulate", "-o", (folder_ / "walk").string(), "--frames", "--stems", "250", "--years", "2021,2023", "-q"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  window().desk().drop({(folder_ / "walk" / "2021").string(), (folder_ / "walk" / "2023").string()});
+  window().settle();
+  align();
+  const Inventory& reference = *state().find(state().reference);
+  ASSERT_TRUE(reference.frames);
+  std::ofstream file(folder_ / "track.csv");
+  file.precision(14);
+  file << "timestamp,lat,lon,height_m,sd_m\n";
+  for (std::size_t i = 0; i < reference.frames->frames.size(); ++i) {
+    const TrajectoryPose& pose = reference.frames->frames[i].pose;
+    const double wobble_m = 0.3 * std::sin(1.7 * static_cast<double>(i));  // what a good receiver is off by
+    const Geodetic at = geodetic_from_reference(somewhere(), pose.survey_from_frame.translation_m + Eigen::Vector3d(wobble_m, -wobble_m, 0.0));
+    file << pose.timestamp_s << "," << at.latitude_deg << "," << at.longitude_deg << "," << at.height_m << ",0.5\n";
+  }
+  file.close();
+  window().press(ui::ActionId::step_merge);
+  window().settle();
+  window().resize(1600, 1400);
+  ASSERT_TRUE(window().click("merge/kind/gnss"));
+  window().frames(2);
+  ASSERT_TRUE(window().fill("merge/gnss_file", (folder_ / "track.csv").string()));
+  window().settle();
+  ASSERT_TRUE(model().status.placement);
+  ASSERT_TRUE(model().status.placement->usable) << (model().status.placement->issues.empty() ? "" : to_string(model().status.placement->issues.front()));
+  EXPECT_EQ(state().georeference.kind, GeoreferenceKind::none);  // shown, not yet done
+  ASSERT_TRUE(window().click("merge/apply"));
+  window().settle();
+  ASSERT_EQ(state().georeference.kind, GeoreferenceKind::anchor);
+  const Eigen::Vector3d there(20.0, 30.0, 0.0);
+  const Geodetic is = geodetic_from_reference(state().georeference, there), should = geodetic_from_reference(somewhere(), there);
+  EXPECT_NEAR(is.latitude_deg, should.latitude_deg, 5e-6);  // half a metre
+  EXPECT_NEAR(is.longitude_deg, should.longitude_deg, 7e-6);
 }
 
 }  // namespace
