@@ -46,19 +46,23 @@ class OverlayPainter {
     canvas_.stroke(colours_.line, 1.0);
   }
 
+  /// What stands side by side, each with its name above; names that would meet stand in rows above each other.
   void captions() const {
+    struct Row {
+      double from, to, y;
+    };
+    std::vector<Row> taken;
     for (const SideFrame& frame : scene_.side_frames) {
       const auto place = at({frame.low_m.x(), frame.high_m.y(), 0.0});
+      if (!place || place->x() >= width_) continue;
       const TextStyle words{12.5, Weight::semibold, frame.colour, Align::left, colours_.map};
-      if (!place) continue;
-      double room = width_;  // up to the next one in the row; where that is near, the name alone must do
-      for (const SideFrame& other : scene_.side_frames) {
-        const auto next = at({other.low_m.x(), other.high_m.y(), 0.0});
-        if (next && next->x() > place->x()) room = std::min(room, next->x() - place->x() - 8.0);
-      }
-      const std::string caption = canvas_.text_width(frame.caption, words) > room ? frame.caption.substr(0, frame.caption.rfind(", ")) : frame.caption;
-      const double last_x = width_ - margin - canvas_.text_width(caption, words);
-      if (place->x() < width_) canvas_.text(std::max(margin, std::min(place->x(), last_x)), place->y() - 22.0, caption, words);
+      const double width = canvas_.text_width(frame.caption, words);
+      const double x = std::max(margin, std::min(place->x(), width_ - margin - width));
+      double y = place->y() - 22.0;
+      const auto meets = [&](const Row& other) { return x < other.to + 10.0 && other.from < x + width + 10.0 && std::abs(other.y - y) < 15.0; };
+      while (std::any_of(taken.begin(), taken.end(), meets)) y -= 17.0;
+      taken.push_back({x, x + width, y});
+      canvas_.text(x, y, frame.caption, words);
     }
   }
 

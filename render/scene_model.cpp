@@ -178,7 +178,7 @@ class SceneBuilder {
         low = low.cwiseMin(Eigen::Vector2d(stem.x_m, stem.y_m));
         high = high.cwiseMax(Eigen::Vector2d(stem.x_m, stem.y_m));
       }
-      const double gap_m = is_first ? 0.0 : 0.12 * std::max(20.0, (high - low).maxCoeff());
+      const double gap_m = is_first ? 0.0 : 0.2 * std::max(20.0, (high - low).maxCoeff());
       const Eigen::Vector2d offset = Eigen::Vector2d(next_x_m + gap_m, top_m) - Eigen::Vector2d(low.x(), high.y());
       add_side_frame(*inventory, offset, low + offset, high + offset);
       next_x_m = high.x() + offset.x();

@@ -41,14 +41,18 @@ std::string sentence_of(const ProjectState& state) {
 
 void tell_refusals(WindowModel& m) {
   const ProjectState& state = m.document.state();
+  std::vector<std::string> names;
+  Issues reasons;
   for (const auto& [id, alignment] : state.alignments) {
     if (alignment.status != AlignmentStatus::failed && alignment.status != AlignmentStatus::probable) continue;
     const Inventory* inventory = state.find(id);
-    const std::string name = inventory != nullptr ? inventory->name : "An inventory";
-    const std::string what = alignment.status == AlignmentStatus::probable ? " could be aligned, but not with certainty" : " was not aligned";
-    m.notices.add(Severity::warning, name + what, {Issue{Severity::warning, "", 0, "", alignment.reason, "Step 2 offers ways to help it along."}});
+    names.push_back(inventory != nullptr ? inventory->name : "An inventory");
+    reasons.push_back(Issue{Severity::warning, "", 0, "", names.back() + ": " + alignment.reason, ""});
     m.view.selected_inventory = id;
   }
+  if (names.empty()) return;
+  reasons.back().help = "Step 2 offers ways to help along.";
+  m.notices.add(Severity::warning, names.size() == 1 ? names.front() + " was not aligned" : std::to_string(names.size()) + " surveys were not aligned", reasons);
 }
 
 JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome outcome) {

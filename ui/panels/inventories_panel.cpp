@@ -164,6 +164,7 @@ void InventoriesPanel::draw_fate(Widgets& w, Frame& frame, Fate fate, int count)
 }
 
 void InventoriesPanel::draw_view_choices(Widgets& w, Frame& frame) {
+  if (frame.tables().inventories.size() < 2 && frame.state().inventories.size() > 1) return;  // each in its own colour until they are aligned
   w.gap(10);
   const Rect row = w.next_rect(w.available_width(), w.px(28));
   w.text_in({row.x, row.y, w.px(64), row.height}, "Colour by", TextRole::table, Tone::secondary);

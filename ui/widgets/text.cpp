@@ -108,7 +108,7 @@ std::string Widgets::middle_shortened(const std::string& text, TextRole role, fl
 
 void Widgets::section(const std::string& title) {
   gap(8);
-  text(title, TextRole::strong);
+  text(middle_shortened(title, TextRole::strong, available_width()), TextRole::strong);
 }
 
 void Widgets::fact(const std::string& path, const std::string& name, const std::string& value, const std::string& tooltip_text) {
