@@ -76,6 +76,13 @@ do step.report
 click tabs/Jobs
 wait 10
 shot 9-report
+do export.preview_report
+wait 10
+settle
+wait 10
+shot 33-report-pages
+click dialog/Growth report, as it will be printed/close
+wait 5
 do help.keys
 shot 10-keys
 END
