@@ -160,14 +160,13 @@ LayerWriteOptions layer_options(const Format& format) {
   return o;
 }
 
-/// Makes the data set at `target`; failures as issues.
+/// Makes the data set at `target`; why it could not be, as issues.
 Issues write_dataset(const Format& format, const std::vector<Layer>& layers, const std::string& target, GdalMessages& messages) {
   std::vector<std::string> creation;
   if (std::string_view(format.driver) == "KML") creation = {"NameField=tree_id"};
   DatasetPtr dataset = create_dataset(format.driver, target, creation);
   const auto failure = [&messages](const std::string& what) {
-    return Issues{{Severity::error, {}, 0, {}, "cannot be written: " + (messages.errors().empty() ? what : messages.last_error()),
-                   "check the folder, its rights and the space left"}};
+    return Issues{{Severity::error, {}, 0, {}, messages.errors().empty() ? what : messages.last_error(), ""}};
   };
   if (!dataset) return failure("the file cannot be made");
   const bool transaction = dataset->TestCapability(ODsCTransactions) != 0;
@@ -188,7 +187,7 @@ Result<Done> stage_through_memory(const Format& format, std::vector<Layer> layer
   const MemoryFolder folder;
   if (format.suffix == ".shp") layers.front().name = fs::path(path).stem().string();
   const std::string name = format.suffix == ".kmz" ? "doc.kml" : fs::path(path).filename().string();
-  if (Issues issues = write_dataset(format, layers, folder.path_of(name), messages); !issues.empty()) return named(std::move(issues), path);
+  if (Issues issues = write_dataset(format, layers, folder.path_of(name), messages); !issues.empty()) return Result<Done>::failure(cannot_write(path, issues.front().text));
   if (format.suffix == ".kmz") {
     staged.adopt(path);
     return write_temporary_zip(path, {{name, folder.bytes_of(name)}});
@@ -229,7 +228,7 @@ Result<Done> stage_layers(const Format& format, const std::vector<Layer>& layers
   staged.adopt(path);
   Issues issues = write_dataset(format, layers, temporary, messages);
   fs::remove(temporary + "-journal", ignored);
-  return issues.empty() ? Done{} : named(std::move(issues), path);
+  return issues.empty() ? Result<Done>(Done{}) : Result<Done>::failure(cannot_write(path, issues.front().text));
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #pragma once
+#include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 
+#include "core/base/fingerprint.hpp"
 #include "io/gdal_dataset.hpp"
 
 namespace stemwise {
@@ -18,10 +21,11 @@ struct TableField {
   OGRFieldType type;
 };
 
-/// Appends rows to a new table. Throws TableError when the disk does not take them.
+/// Appends rows to a new table, and what they say to a fingerprint. Throws TableError when the disk does not take them.
 class TableWriter {
  public:
-  TableWriter(GDALDataset& dataset, const char* name, std::span<const TableField> schema) {
+  TableWriter(GDALDataset& dataset, const char* name, std::span<const TableField> schema, Fingerprint& fingerprint) : fingerprint_(fingerprint) {
+    fingerprint_.add(name);
     layer_ = dataset.CreateLayer(name, nullptr, wkbNone, nullptr);
     if (layer_ == nullptr) throw TableError(std::string("table ") + name + " cannot be made");
     for (const TableField& f : schema) {
@@ -31,17 +35,27 @@ class TableWriter {
     feature_ = std::make_unique<OGRFeature>(layer_->GetLayerDefn());
   }
 
-  void set(int i, std::int64_t v) { feature_->SetField(i, static_cast<GIntBig>(v)); }
-  void set(int i, int v) { feature_->SetField(i, static_cast<GIntBig>(v)); }
-  void set(int i, bool v) { feature_->SetField(i, static_cast<GIntBig>(v ? 1 : 0)); }
-  void set(int i, double v) { feature_->SetField(i, v); }
-  void set(int i, const std::string& v) { feature_->SetField(i, v.c_str()); }
-  void set(int i, const char* v) { feature_->SetField(i, v); }
+  void set(int i, std::int64_t v) {
+    fingerprint_.add(bytes_of(v));
+    feature_->SetField(i, static_cast<GIntBig>(v));
+  }
+  void set(int i, int v) { set(i, static_cast<std::int64_t>(v)); }
+  void set(int i, bool v) { set(i, static_cast<std::int64_t>(v ? 1 : 0)); }
+  void set(int i, double v) {
+    fingerprint_.add(bytes_of(v));
+    feature_->SetField(i, v);
+  }
+  void set(int i, const std::string& v) {
+    fingerprint_.add(v);
+    feature_->SetField(i, v.c_str());
+  }
+  void set(int i, const char* v) { set(i, std::string(v)); }
   /// Not inlined: GCC 12 wrongly takes the value of an empty optional for read.
   template <class T>
   [[gnu::noinline]] void set(int i, const std::optional<T>& v) {
-    if (v) set(i, *v);
-    else feature_->SetFieldNull(i);
+    if (v) return set(i, *v);
+    fingerprint_.add("nothing");
+    feature_->SetFieldNull(i);
   }
   /// The values in the order of the schema, as one row.
   template <class... Values>
@@ -55,9 +69,17 @@ class TableWriter {
   std::int64_t rows() const { return rows_; }
 
  private:
+  template <class Number>
+  static std::string bytes_of(Number value) {
+    std::string bytes(sizeof value, '\0');
+    std::memcpy(bytes.data(), &value, sizeof value);
+    return bytes;
+  }
+
   OGRLayer* layer_ = nullptr;
   std::unique_ptr<OGRFeature> feature_;
   std::int64_t rows_ = 0;
+  Fingerprint& fingerprint_;
 };
 
 /// Reads a table row by row; columns by their place in the schema. Throws TableError when it or a column is missing.

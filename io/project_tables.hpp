@@ -8,6 +8,7 @@ namespace stemwise::project_tables {
 // The schema of a project file's own tables, shared by writer and reader. Units in the names. Version 1.
 
 inline constexpr int format_version = 1;
+inline constexpr const char* fingerprint_key = "fingerprint";  ///< in `project`: of everything else in these tables
 
 inline constexpr std::array project = {TableField{"key", OFTString}, TableField{"value", OFTString}};
 inline constexpr std::array settings = {TableField{"key", OFTString}, TableField{"value", OFTString}};

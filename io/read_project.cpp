@@ -13,6 +13,9 @@ namespace {
 
 namespace schema = project_tables;
 
+/// Not damage: this program is too old for the file.
+struct NewerVersion {};
+
 [[noreturn]] void damaged(const std::string& what) { throw TableError(what); }
 
 std::vector<double> numbers(const std::string& text, std::size_t count, const char* what) {
@@ -92,7 +95,7 @@ class StateReader {
   void project() {
     TableReader t = table("stemwise_project", schema::project);
     while (t.next()) values_[t.text(0)] = t.text(1);
-    if (whole(value("format_version"), "format_version") > schema::format_version) damaged("it was written by a newer Stemwise");
+    if (whole(value("format_version"), "format_version") > schema::format_version) throw NewerVersion{};
     state_.title = value("title");
     state_.reference.value = whole(value("reference"), "reference");
     state_.next_tree = whole(value("next_tree"), "next_tree");
@@ -326,6 +329,8 @@ Result<ProjectState> read_project(const std::string& path) {
     ProjectState state = StateReader(*dataset).run();
     if (!messages.errors().empty()) return refused(path, "is damaged: " + messages.last_error(), "open its last copy");
     return state;
+  } catch (const NewerVersion&) {
+    return refused(path, "needs a newer Stemwise: it was written by one, in a form that this version does not know", "install the newest version; the file itself is in order");
   } catch (const TableError& problem) {
     return refused(path, std::string("is damaged: ") + problem.what(), "open its last copy");
   }

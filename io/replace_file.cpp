@@ -1,6 +1,8 @@
 #include "io/replace_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,9 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<Done> failed(const std::string& path, const std::string& why) {
-  return Result<Done>::failure(Issue{Severity::error, path, 0, {}, "cannot be written: " + why, "check the folder, its rights and the space left"});
-}
+Result<Done> failed(const std::string& path, const std::string& why) { return Result<Done>::failure(cannot_write(path, why)); }
 
 /// Errno of flushing a file or folder to the disk, 0 when it went well.
 int flush(const std::string& path, int flags) {
@@ -28,19 +28,54 @@ int flush(const std::string& path, int flags) {
   return error;
 }
 
+/// Holds a file that is about to be replaced, against others who do the same.
+class Hold {
+ public:
+  explicit Hold(const std::string& path) {
+    while ((descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) >= 0) {
+      is_taken_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;  // where there are no locks the look has to do
+      struct stat held {}, named {};
+      if (is_taken_ || ::fstat(descriptor_, &held) != 0 || ::stat(path.c_str(), &named) != 0) return;
+      if (held.st_dev == named.st_dev && held.st_ino == named.st_ino) return;
+      ::close(descriptor_);  // it was replaced in between
+    }
+  }
+  ~Hold() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+  bool is_taken() const { return is_taken_; }
+
+ private:
+  int descriptor_ = -1;
+  bool is_taken_ = false;
+};
+
+/// A link stays one: the file that it names is written.
+std::string target_of(const std::string& path) {
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
+  return target.empty() ? path : target.string();
+}
+
 }  // namespace
 
+Issue cannot_write(const std::string& path, const std::string& why) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(path, error).parent_path();
+  if (!fs::exists(folder, error) && !error) return {Severity::error, path, 0, {}, "cannot be written: the folder " + folder.string() + " is not there", "make it, or choose another folder"};
+  return {Severity::error, path, 0, {}, "cannot be written" + (why.empty() ? "" : ": " + why), "check the folder, its rights and the space left"};
+}
+
 std::string temporary_beside(const std::string& path) {
-  std::error_code ignored;
-  const fs::path resolved = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
-  const fs::path p = resolved.empty() ? fs::path(path) : resolved;
+  const fs::path p = target_of(path);
   return (p.parent_path() / ("." + p.stem().string() + ".writing-" + std::to_string(::getpid()) + p.extension().string())).string();
 }
 
 Result<Done> replace_file(const std::string& temporary, const std::string& given) {
   std::error_code ignored;
-  const fs::path target = fs::is_symlink(given, ignored) ? fs::weakly_canonical(given, ignored) : fs::path(given);  // a link stays one
-  const std::string path = target.empty() ? given : target.string();
+  const std::string path = target_of(given);
   const auto give_up = [&](const std::string& why) {
     fs::remove(temporary, ignored);
     return failed(path, why);
@@ -54,6 +89,15 @@ Result<Done> replace_file(const std::string& temporary, const std::string& given
   const fs::path folder = fs::path(path).parent_path();
   flush(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);  // where a folder cannot be flushed the rename still holds
   return Done{};
+}
+
+Result<Done> replace_file(const std::string& temporary, const std::string& path, const std::function<Result<Done>()>& look) {
+  const Hold hold(path);
+  Result<Done> agreed = hold.is_taken() ? failed(path, "another program is writing it just now") : look();
+  if (agreed) return replace_file(temporary, path);
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  return agreed;
 }
 
 namespace {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -6,12 +7,18 @@
 
 namespace stemwise {
 
+/// Why `path` cannot be written, in words for a person: a folder that is not there is named, whatever the system said (`why`).
+Issue cannot_write(const std::string& path, const std::string& why);
+
 /// A name beside `path` for a file that is being written; same folder, so that the rename is atomic. Keeps the suffix.
 std::string temporary_beside(const std::string& path);
 
 /// Flushes `temporary` to the disk and puts it in the place of `path` in one step. On failure `path` is as it was and
 /// `temporary` is gone.
 Result<Done> replace_file(const std::string& temporary, const std::string& path);
+
+/// The same, where `look` agrees with what is there just before; nobody else who replaces it in this way does so in between.
+Result<Done> replace_file(const std::string& temporary, const std::string& path, const std::function<Result<Done>()>& look);
 
 /// Writes a whole file under the name `temporary_beside(path)` and flushes it to the disk. On failure nothing of it stays.
 Result<Done> write_temporary(const std::string& path, std::string_view text);

@@ -63,9 +63,11 @@ class StateWriter {
     small_tables();
     project();  // last: it holds how many rows the others have
   }
+  /// As it stands in the file, after `run`.
+  const std::string& fingerprint() const { return written_; }
 
  private:
-  TableWriter table(const char* name, std::span<const TableField> fields) { return {dataset_, name, fields}; }
+  TableWriter table(const char* name, std::span<const TableField> fields) { return {dataset_, name, fields, fingerprint_}; }
 
   void inventories() {
     TableWriter t = table("stemwise_inventories", schema::inventories);
@@ -171,15 +173,19 @@ class StateWriter {
                                                                      {"rows_trees", std::to_string(tree_rows_)},
                                                                      {"rows_edit_log", std::to_string(log_rows_)}};
     for (const auto& [key, value] : values) t.row(key, value);
+    t.row(schema::fingerprint_key, written_ = fingerprint_.text());
   }
 
   GDALDataset& dataset_;
   const ProjectState& state_;
   std::int64_t stem_rows_ = 0, match_rows_ = 0, tree_rows_ = 0, log_rows_ = 0;
+  Fingerprint fingerprint_;
+  std::string written_;
 };
 
-Issue cannot_write(const std::string& path, const std::string& why) {
-  return {Severity::error, path, 0, {}, "cannot be written: " + why, "check the folder, its rights and the space left"};
+Result<Done> agree(const std::string& path, const std::optional<ProjectStamp>& known) {
+  if (!known || !is_changed_since(*known, path)) return Done{};
+  return Result<Done>::failure(Issue{Severity::error, path, 0, {}, "was changed by another window or program in the meantime, so nothing was written", "do it again on what it holds now"});
 }
 
 /// The map layers, in the georeference's system; local coordinates where that has no place for them.
@@ -195,19 +201,20 @@ Issues write_map_layers(GDALDataset& dataset, const ProjectState& state) {
 
 }  // namespace
 
-Result<Done> write_project(const ProjectState& state, const std::string& path) {
+Result<ProjectStamp> write_project(const ProjectState& state, const std::string& path, const std::optional<ProjectStamp>& known) {
   const GdalMessages messages;
   const GdalOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");  // flushed once, before the rename
-  const GdalOption stamp("OGR_CURRENT_DATE", timestamp_utc_ms());
+  const GdalOption date("OGR_CURRENT_DATE", timestamp_utc_ms());
   const std::string temporary = temporary_beside(path);
   std::error_code ignored;
   std::filesystem::remove(temporary, ignored);
   const auto give_up = [&](const std::string& why) {
     std::filesystem::remove(temporary, ignored);
     std::filesystem::remove(temporary + "-journal", ignored);
-    return Result<Done>::failure(cannot_write(path, why));
+    return Result<ProjectStamp>::failure(cannot_write(path, why));
   };
   Issues issues;
+  ProjectStamp stamp;
   DatasetPtr dataset = create_dataset("GPKG", temporary);
   if (!dataset) return give_up(messages.last_error());
   try {
@@ -216,7 +223,9 @@ Result<Done> write_project(const ProjectState& state, const std::string& path) {
       dataset.reset();
       return give_up(wrong.front().text);
     }
-    StateWriter(*dataset, state).run();
+    StateWriter writer(*dataset, state);
+    writer.run();
+    stamp.text = writer.fingerprint();
     issues = write_layer_styles(path, *dataset);
     const bool committed = dataset->CommitTransaction() == OGRERR_NONE;
     const Issues lost = keep_foreign_layers(path, *dataset);  // GDAL copies a layer in a transaction of its own
@@ -227,10 +236,10 @@ Result<Done> write_project(const ProjectState& state, const std::string& path) {
     dataset.reset();
     return give_up(error.what() + (messages.errors().empty() ? std::string() : ": " + messages.last_error()));
   }
-  Result<Done> done = replace_file(temporary, path);
+  const Result<Done> done = replace_file(temporary, path, [&] { return agree(path, known); });
   for (Issue& issue : issues) issue.file = path;
-  done.issues.insert(done.issues.end(), issues.begin(), issues.end());
-  return done;
+  issues.insert(issues.begin(), done.issues.begin(), done.issues.end());
+  return done ? Result<ProjectStamp>(std::move(stamp), std::move(issues)) : Result<ProjectStamp>::failure(std::move(issues));
 }
 
 }  // namespace stemwise

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/replace_file.hpp"
+
 namespace stemwise {
 
 Result<Done> write_whole_file(const std::string& path, const std::string& text) {
@@ -15,8 +17,9 @@ Result<Done> write_whole_file(const std::string& path, const std::string& text) 
   std::error_code code;
   if (out) std::filesystem::rename(beside, path, code);
   if (out && !code) return Done{};
-  std::filesystem::remove(beside, code);
-  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written", "does the folder exist, and may you write there?"});
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  return Result<Done>::failure(cannot_write(path, code ? code.message() : ""));
 }
 
 }  // namespace stemwise

@@ -25,8 +25,7 @@ Result<Done> write_temporary_zip(const std::string& path, const std::vector<ZipE
   if (zip != nullptr) complete = CPLCloseZip(zip) == CE_None && complete;
   if (complete) return Done{};
   std::filesystem::remove(temporary, ignored);
-  return Result<Done>::failure(Issue{Severity::error, path, 0, "", "cannot be written" + (messages.errors().empty() ? "" : ": " + messages.last_error()),
-                                     "does the folder exist, and may you write there?"});
+  return Result<Done>::failure(cannot_write(path, messages.errors().empty() ? "" : messages.last_error()));
 }
 
 Result<Done> write_zip(const std::string& path, const std::vector<ZipEntry>& entries) {

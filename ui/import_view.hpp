@@ -19,6 +19,7 @@ struct ImportSettings {
   std::map<std::string, StemStatus> status_codes;
   std::string sheet, plot_column, plot;
   std::optional<Date> date;
+  std::string no_date;                             ///< what was typed for the date and is none: stays in its field
   std::optional<int> epsg;
   bool operator==(const ImportSettings&) const = default;
 };

@@ -16,6 +16,9 @@
 
 namespace stemwise::ui {
 
+enum class Answer { no, yes, other };
+enum class RecoveryAnswer { bring_back, throw_away, not_now };
+
 /// What the panels ask for; `app` answers with commands, jobs and changes of the view.
 namespace request {
 struct Run { ActionId action; };
@@ -53,8 +56,8 @@ struct CancelJob { int job; };
 struct DismissNotice { int notice; };
 struct DismissNotices {};
 struct NoticeChoice { int notice; std::size_t choice; };  ///< one of the notice's buttons
-struct AnswerQuestion { bool yes; };
-struct Recover { bool yes; };
+struct AnswerQuestion { Answer answer; };
+struct Recover { RecoveryAnswer answer; };
 struct Leave { bool save; };
 /// A rough position of an inventory's origin in the reference: the way out of a refusal.
 struct RoughPose { InventoryId inventory; double x_m, y_m, yaw_deg, radius_m; };

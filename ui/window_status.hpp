@@ -40,6 +40,7 @@ struct Question {
   std::string text;
   std::string yes;    ///< "Replace": what is done
   std::string no;     ///< "Keep the old one"
+  std::string other;  ///< a way that loses nothing, where there is one: "Save as a copy"
 };
 
 /// The rendered map or 3D view, as a GL texture whose first row is at the bottom.

@@ -36,6 +36,7 @@ void warn_of_twins(const ProjectState& state, Console& console) {
 
 ExitCode run_align(const AlignOptions& options, Session& session) {
   if (const ExitCode code = check_output(options.output, OutputKind::project, options.inventories, session.console); code != ExitCode::done) return code;
+  const ProjectStamp there = project_stamp(options.output);  // a window may save it while this runs
   const bool read_too = std::any_of(options.inventories.begin(), options.inventories.end(), [&](const std::string& path) { return is_project(path); });
   if (!read_too)
     if (const ExitCode code = check_decisions_kept(options.output, session.console); code != ExitCode::done) return code;
@@ -48,7 +49,7 @@ ExitCode run_align(const AlignOptions& options, Session& session) {
   for (const std::string& doubt : unit_doubts(state)) session.console.warn(doubt + " Tell it with --unit dbh=mm (cm, m, in)");
   const ExitCode verdict = judge_alignment(state, session.console);
   if (verdict == ExitCode::done) {
-    const Result<Done> written = write_project(state, options.output);
+    const auto written = write_project(state, options.output, there);
     session.console.issues(written.issues);
     if (!written) return ExitCode::failed;
   }

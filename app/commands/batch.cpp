@@ -13,6 +13,7 @@
 #include "app/check_output.hpp"
 #include "app/read_inputs.hpp"
 #include "app/result_json.hpp"
+#include "core/base/fingerprint.hpp"
 #include "io/project_file.hpp"
 #include "io/read_manifest.hpp"
 #include "io/write_inventory.hpp"
@@ -26,38 +27,22 @@ namespace fs = std::filesystem;
 constexpr const char* summary_head =
     "plot,status,inventories,aligned,unique_trees,matched,residual_rms_m,growth_median_cm_per_year,problems\n";
 
-/// 64-bit FNV-1a: tells changed files from unchanged ones, not friends from foes.
-class Fingerprint {
- public:
-  void add(std::string_view bytes) {
-    for (const char c : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-    hash_ = (hash_ ^ 0xFF) * 0x100000001B3ULL;
-  }
-  void add_file(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    add(text.str());
-  }
-  std::string text() const {
-    char buffer[20];
-    std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(hash_));
-    return buffer;
-  }
-
- private:
-  std::uint64_t hash_ = 0xCBF29CE484222325ULL;
-};
+void add_file(const fs::path& path, Fingerprint& fingerprint) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  fingerprint.add(text.str());
+}
 
 void add_input(const std::string& path, Fingerprint& fingerprint) {
   std::error_code code;
-  if (!fs::is_directory(path, code)) return fingerprint.add_file(path);
+  if (!fs::is_directory(path, code)) return add_file(path, fingerprint);
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(path, code)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     fingerprint.add(file.filename().string());
-    fingerprint.add_file(file);
+    add_file(file, fingerprint);
   }
 }
 
@@ -150,10 +135,15 @@ PlotResult align_plot(const ManifestPlot& plot, const fs::path& folder, Session&
   if (run.code != ExitCode::done) return {summary_line(plot, run.code, run), csv_cell(plot.plot) + ",\n"};
   const ProjectState& state = run.project.state();
   ExitCode code = judge_alignment(state, session.console);
-  Result<Done> written = write_whole_file((folder / "align.json").string(), align_json(state, run.tables, run.rejected, run.timing, run.seed));
-  if (written && code == ExitCode::done) written = write_project(state, (folder / "project.gpkg").string());
+  const Result<Done> written = write_whole_file((folder / "align.json").string(), align_json(state, run.tables, run.rejected, run.timing, run.seed));
   session.console.issues(written.issues);
-  if (!written) code = ExitCode::failed;
+  bool complete = static_cast<bool>(written);
+  if (complete && code == ExitCode::done) {
+    const auto project = write_project(state, (folder / "project.gpkg").string());
+    session.console.issues(project.issues);
+    complete = static_cast<bool>(project);
+  }
+  if (!complete) code = ExitCode::failed;
   return {summary_line(plot, code, run), csv_cell(plot.plot) + "," + exact_number(run.timing.total_s) + "\n"};
 }
 

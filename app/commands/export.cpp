@@ -52,11 +52,11 @@ ExitCode run_export(const ExportCommandOptions& given, Session& session) {
   if (!options) return ExitCode::usage;
   if (const ExitCode code = check_suffix(given.output, export_suffixes(), "an export", session.console); code != ExitCode::done) return code;
   if (const ExitCode code = check_output(given.output, OutputKind::other, {given.project}, session.console); code != ExitCode::done) return code;
-  const std::optional<Project> project = open_project(given.project, session);
-  if (!project) return ExitCode::unusable_input;
-  if (const ExitCode code = check_no_source(given.output, project->state(), session.console); code != ExitCode::done) return code;
+  const std::optional<OpenedProject> opened = open_project(given.project, session);
+  if (!opened) return ExitCode::unusable_input;
+  if (const ExitCode code = check_no_source(given.output, opened->project.state(), session.console); code != ExitCode::done) return code;
   session.progress().check();
-  const Result<Done> written = export_layer(project->state(), given.output, *options);
+  const Result<Done> written = export_layer(opened->project.state(), given.output, *options);
   session.console.issues(written.issues);
   if (!written) return ExitCode::failed;
   session.console.say(given.output + ": written");

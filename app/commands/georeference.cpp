@@ -48,13 +48,13 @@ ExitCode run_georeference(const GeoreferenceOptions& options, Session& session) 
     session.console.error(problem);
     return ExitCode::usage;
   }
-  std::optional<Project> project = open_project(options.project, session);
-  if (!project) return ExitCode::unusable_input;
-  const Placement placement = place_project(options, project->state());
+  std::optional<OpenedProject> opened = open_project(options.project, session);
+  if (!opened) return ExitCode::unusable_input;
+  const Placement placement = place_project(options, opened->project.state());
   tell(placement, session.console);
   if (placement.code != ExitCode::done) return placement.code;
-  project->execute(set_georeference(placement.georeference));
-  const ExitCode saved = save_project(options.project, *project, session);
+  opened->project.execute(set_georeference(placement.georeference));
+  const ExitCode saved = save_project(options.project, *opened, session);
   if (saved != ExitCode::done) return saved;
   session.console.say(options.project + ": placed on the earth by " + placement.georeference.method);
   return session.write_json(georeference_json(placement.georeference));

@@ -11,12 +11,12 @@ ExitCode run_merge(const MergeOptions& options, Session& session) {
     session.console.error("--policy " + options.policy + ": expected min-dbh, newest, best or mean");
     return ExitCode::usage;
   }
-  std::optional<Project> project = open_project(options.project, session);
-  if (!project) return ExitCode::unusable_input;
-  project->execute(set_fusion_policy(*policy));
-  if (const ExitCode saved = save_project(options.project, *project, session); saved != ExitCode::done) return saved;
-  session.console.say(options.project + ": " + std::to_string(project->state().trees.size()) + " trees merged by the policy " + to_string(*policy));
-  return session.write_json(result_json({{"output", options.project}, {"policy", to_string(*policy)}, {"trees", static_cast<std::int64_t>(project->state().trees.size())}}));
+  std::optional<OpenedProject> opened = open_project(options.project, session);
+  if (!opened) return ExitCode::unusable_input;
+  opened->project.execute(set_fusion_policy(*policy));
+  if (const ExitCode saved = save_project(options.project, *opened, session); saved != ExitCode::done) return saved;
+  session.console.say(options.project + ": " + std::to_string(opened->project.state().trees.size()) + " trees merged by the policy " + to_string(*policy));
+  return session.write_json(result_json({{"output", options.project}, {"policy", to_string(*policy)}, {"trees", static_cast<std::int64_t>(opened->project.state().trees.size())}}));
 }
 
 }  // namespace stemwise

@@ -1,18 +1,20 @@
 #include "app/commands/open_project.hpp"
 
 #include "io/project_file.hpp"
+#include "io/same_file.hpp"
 
 namespace stemwise {
 
-std::optional<Project> open_project(const std::string& path, Session& session) {
+std::optional<OpenedProject> open_project(const std::string& path, Session& session) {
+  ProjectStamp stamp = project_stamp(path);
   Result<ProjectState> read = read_project(path);
   session.console.issues(read.issues);
   if (!read) return std::nullopt;
-  return Project(std::move(*read));
+  return OpenedProject{Project(std::move(*read)), path, std::move(stamp)};
 }
 
-ExitCode save_project(const std::string& path, const Project& project, Session& session) {
-  const Result<Done> written = write_project(project.state(), path);
+ExitCode save_project(const std::string& path, const OpenedProject& opened, Session& session) {
+  const auto written = write_project(opened.project.state(), path, names_same_file(path, opened.path) ? std::optional(opened.stamp) : std::nullopt);
   session.console.issues(written.issues);
   return written ? ExitCode::done : ExitCode::failed;
 }

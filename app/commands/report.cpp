@@ -41,15 +41,16 @@ Result<std::optional<RulePack>> named_rules(const std::string& name) {
 }
 
 /// Chooses the pack and keeps the choice in the project file; a project that cannot be written is a warning.
-ExitCode choose_rules(const ReportCommandOptions& options, Project& project, Session& session) {
+ExitCode choose_rules(const ReportCommandOptions& options, OpenedProject& opened, Session& session) {
   if (options.rules.empty()) return ExitCode::done;
   const auto pack = named_rules(options.rules);
   session.console.issues(pack.issues);
   if (!pack) return suffix_of(options.rules) == ".json" ? ExitCode::unusable_input : ExitCode::usage;
+  Project& project = opened.project;
   const ProjectState before = project.state();
   for (const auto& [key, value] : settings_of(*pack)) project.execute(set_setting(key, value));
   if (project.state().settings == before.settings) return ExitCode::done;
-  if (save_project(options.project, project, session) != ExitCode::done) session.console.warn("the choice of rules could not be kept in " + options.project);
+  if (save_project(options.project, opened, session) != ExitCode::done) session.console.warn("the choice of rules could not be kept in " + options.project);
   return ExitCode::done;
 }
 
@@ -77,11 +78,11 @@ ExitCode run_report(const ReportCommandOptions& options, Session& session) {
   if (options.field_check) suffixes.emplace_back(".gpx");
   if (const ExitCode code = check_suffix(options.output, suffixes, options.field_check ? "a field check sheet" : "a report", session.console); code != ExitCode::done) return code;
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
-  std::optional<Project> project = open_project(options.project, session);
-  if (!project) return ExitCode::unusable_input;
-  if (const ExitCode code = check_no_source(options.output, project->state(), session.console); code != ExitCode::done) return code;
-  if (const ExitCode code = choose_rules(options, *project, session); code != ExitCode::done) return code;
-  const Tables tables = derive_tables(project->state());
+  std::optional<OpenedProject> opened = open_project(options.project, session);
+  if (!opened) return ExitCode::unusable_input;
+  if (const ExitCode code = check_no_source(options.output, opened->project.state(), session.console); code != ExitCode::done) return code;
+  if (const ExitCode code = choose_rules(options, *opened, session); code != ExitCode::done) return code;
+  const Tables tables = derive_tables(opened->project.state());
   if (tables.inventories.empty()) {
     session.console.error(options.project + ": no survey of this project has been aligned, so there is nothing to report");
     return ExitCode::failed;
@@ -89,9 +90,9 @@ ExitCode run_report(const ReportCommandOptions& options, Session& session) {
   session.progress().check();
   Result<Done> written;
   if (options.field_check) {
-    written = write_field_check(options, project->state(), tables);
+    written = write_field_check(options, opened->project.state(), tables);
   } else {
-    const ReportModel model = make_report_model(project->state(), tables, {options.area_ha, options.class_width_cm});
+    const ReportModel model = make_report_model(opened->project.state(), tables, {options.area_ha, options.class_width_cm});
     say_counts(model, session.console);
     written = write_report(options.output, make_report_document(model, software));
   }

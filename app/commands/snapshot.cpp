@@ -43,13 +43,13 @@ ExitCode run_snapshot(const SnapshotOptions& options, Session& session) {
     return ExitCode::usage;
   }
   if (const ExitCode code = check_output(options.output, OutputKind::other, {options.project}, session.console); code != ExitCode::done) return code;
-  const std::optional<Project> project = open_project(options.project, session);
-  if (!project) return ExitCode::unusable_input;
-  if (const ExitCode code = check_no_source(options.output, project->state(), session.console); code != ExitCode::done) return code;
-  const Tables tables = derive_tables(project->state());
+  const std::optional<OpenedProject> opened = open_project(options.project, session);
+  if (!opened) return ExitCode::unusable_input;
+  if (const ExitCode code = check_no_source(options.output, opened->project.state(), session.console); code != ExitCode::done) return code;
+  const Tables tables = derive_tables(opened->project.state());
   render::SnapshotSettings settings;
   settings.size = {options.width_px, options.height_px};
-  const Result<Done> written = render::write_snapshot(project->state(), tables, *view, settings, options.output);
+  const Result<Done> written = render::write_snapshot(opened->project.state(), tables, *view, settings, options.output);
   session.console.issues(written.issues);
   if (!written) return ExitCode::failed;
   session.console.say(options.output + ": written");

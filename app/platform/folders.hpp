@@ -16,8 +16,6 @@ std::string program_stamp();
 std::string user_name();
 /// "22 Nov 2026, 05:00" in this machine's time zone, from "2026-11-22T05:00:30Z"; what was given where it is none.
 std::string local_time(const std::string& utc);
-/// The number of this process, and whether another one runs.
 int process_id();
-bool process_runs(int id);
 
 }  // namespace stemwise::platform

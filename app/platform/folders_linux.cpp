@@ -1,10 +1,8 @@
 #include <pwd.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -65,7 +63,5 @@ std::string local_time(const std::string& utc) {
 }
 
 int process_id() { return static_cast<int>(getpid()); }
-
-bool process_runs(int id) { return id > 0 && (kill(id, 0) == 0 || errno == EPERM); }
 
 }  // namespace stemwise::platform

@@ -52,8 +52,8 @@ struct Answer {
   void operator()(const request::NoticeChoice& r) const {
     if (const auto chosen = m.notices.choose(r.notice, r.choice)) chosen();
   }
-  void operator()(const request::AnswerQuestion& r) const { answer_question(m, r.yes); }
-  void operator()(const request::Recover& r) const { answer_recovery(m, r.yes); }
+  void operator()(const request::AnswerQuestion& r) const { answer_question(m, r.answer); }
+  void operator()(const request::Recover& r) const { answer_recovery(m, r.answer); }
   void operator()(const request::Leave& r) const { answer_leave(m, r.save); }
   void operator()(const request::RoughPose& r) const {
     m.execute(keep_rough_pose(m.document.state(), {r.inventory, r.x_m, r.y_m, radians(r.yaw_deg), r.radius_m}));

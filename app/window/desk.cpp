@@ -9,6 +9,7 @@
 
 #include "app/platform/folders.hpp"
 #include "app/window/autosave.hpp"
+#include "app/window/file_watch.hpp"
 #include "app/window/requests.hpp"
 #include "app/window/window_model.hpp"
 #include "io/project_file.hpp"
@@ -54,6 +55,7 @@ double most_zoom_percent(float width, float height) {
 struct Desk::Parts {
   ui::Shell shell;
   std::unique_ptr<Autosave> autosave;
+  FileWatch watch;
   std::string config_folder;
   double now_s = 0.0;
   bool moving = false;
@@ -68,6 +70,7 @@ Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>())
     m.preferences = read_preferences(preferences_file(options.config_folder));
     m.autosave_folder = options.config_folder + "/autosave";
     parts_->autosave = std::make_unique<Autosave>(m.autosave_folder);
+    m.autosave_file = parts_->autosave->file();
     m.underlay_memory = UnderlayMemory::read(options.config_folder + "/underlays.json");
     m.import_memory = ImportMemory::read(options.config_folder + "/imports.json");
     apply_preferences(m.preferences, m.view);
@@ -75,7 +78,7 @@ Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>())
   m.status.home_folder = platform::home_folder();
   m.status.version = STEMWISE_VERSION;
   if (options.paths.empty()) {
-    offer_recovery();
+    offer_recovery(m);
   } else {
     open_given(options.paths);
   }
@@ -88,34 +91,15 @@ Desk::~Desk() {
     model_->jobs.wait_for_news();
     model_->jobs.poll();
   }
-  parts_->autosave->forget();
+  parts_->autosave->forget(*model_);
 }
 
 void Desk::open_given(const std::vector<std::string>& paths) {
   if (paths.size() == 1 && is_project(paths.front())) {
     open_project(*model_, paths.front());
-    offer_recovery(paths.front());
   } else {
     add_inventories(*model_, paths);
   }
-}
-
-void Desk::offer_recovery(const std::string& of) {
-  if (model_->autosave_folder.empty()) return;
-  std::vector<std::string> files = orphaned_autosaves(model_->autosave_folder);
-  if (!of.empty()) {
-    std::erase_if(files, [&](const std::string& file) {
-      std::error_code code;
-      return !std::filesystem::equivalent(autosave_origin(file).path, of, code) || code;
-    });
-  }
-  if (files.empty()) return;
-  const AutosaveOrigin origin = autosave_origin(files.front());
-  model_->recovered_file = files.front();
-  const std::string when = origin.time.empty() ? "" : ", last changed " + platform::local_time(origin.time) + ",";
-  const std::string where = origin.path.empty() ? " was never saved to a file." : " has changes that are not in " + origin.path + ".";
-  model_->status.recovery_text = "\"" + origin.title + "\"" + when + where;
-  model_->view.dialog = ui::Dialog::recover;
 }
 
 bool Desk::prepare(float display_scale) {
@@ -136,7 +120,7 @@ void Desk::frame(double elapsed_s) {
   m.status.viewport = m.viewport.render(parts_->shell.viewport_rect(), model_->scale);
   refresh_status();
   draw();
-  if (parts_->frames_to_close > 0 && --parts_->frames_to_close == 0) leave_then(m, [&m] { m.wants_close = true; });
+  if (parts_->frames_to_close > 0 && --parts_->frames_to_close == 0) quit(m);
 }
 
 void Desk::poll(double elapsed_s) {
@@ -144,6 +128,7 @@ void Desk::poll(double elapsed_s) {
   m.notices.advance(elapsed_s);
   if (m.jobs.poll()) parts_->busy_frames = 3;
   if (parts_->autosave) parts_->autosave->tend(m);
+  parts_->watch.tend(m, elapsed_s);
   tend_underlays(m);
 }
 
@@ -171,6 +156,7 @@ void Desk::refresh_status() {
   if (!m.document.is_dirty() && m.saved_at) {
     s.saved_text = "saved " + ui::ago_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - *m.saved_at).count());
   }
+  if (is_changed_elsewhere(m)) s.saved_text = m.document.is_dirty() ? "not saved, changed elsewhere" : "changed elsewhere";
   s.recent_projects = m.preferences.recent_projects;
   s.jobs = m.jobs.views();
   s.notices = m.notices.all();

@@ -53,7 +53,6 @@ class Desk {
   void refresh_status();
   void draw();
   void open_given(const std::vector<std::string>& paths);
-  void offer_recovery(const std::string& of = {});  ///< of one project only where it is named
 
   std::unique_ptr<WindowModel> model_;
   std::unique_ptr<Parts> parts_;

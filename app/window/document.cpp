@@ -24,10 +24,10 @@ void Document::mark_saved(std::uint64_t saved_revision) {
   never_saved_ = false;
 }
 
-void Document::replace(ProjectState state, std::string path, bool saved) {
+void Document::replace(ProjectState state, std::string path, ProjectStamp stamp, bool saved) {
   project_ = std::make_unique<Project>(std::move(state));
   ++epoch_;
-  path_ = std::move(path);
+  set_path(std::move(path), std::move(stamp));
   never_saved_ = !saved;
   // Tables of the earlier project would name trees that are not here.
   auto empty = std::make_shared<ui::Derived>();

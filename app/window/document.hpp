@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/project/project.hpp"
+#include "io/project_stamp.hpp"
 #include "ui/derived.hpp"
 
 namespace stemwise {
@@ -29,13 +30,21 @@ class Document {
   void redo() { project_->redo(); }
   void mark_saved(std::uint64_t revision);  ///< only when nothing was changed since that revision was written
 
+  /// A revision of the project that is open now, not of one before it.
+  bool is_of_this_project(std::uint64_t some_revision) const { return some_revision >> 32 == epoch_; }
+
   /// Another project takes this one's place.
-  void replace(ProjectState state, std::string path, bool saved);
+  void replace(ProjectState state, std::string path, ProjectStamp stamp, bool saved);
   bool is_dirty() const { return never_saved_ || project_->is_dirty(); }
   bool is_empty() const { return state().inventories.empty(); }
 
   const std::string& path() const { return path_; }
-  void set_path(std::string path) { path_ = std::move(path); }
+  /// What the file held when it was read or written here last; nothing while there is no file.
+  const ProjectStamp& stamp() const { return stamp_; }
+  void set_path(std::string path, ProjectStamp stamp = {}) {
+    path_ = std::move(path);
+    stamp_ = std::move(stamp);
+  }
   std::string title() const;  ///< the project's title, else its file's name
 
  private:
@@ -45,6 +54,7 @@ class Document {
   std::uint64_t snapshot_revision_ = 0;
   std::uint64_t epoch_ = 1;
   std::string path_;
+  ProjectStamp stamp_;
   bool never_saved_ = false;  ///< recovered, or the demo: is in no file of the person's
 };
 

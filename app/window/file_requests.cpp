@@ -5,6 +5,7 @@
 #include "app/window/project_io.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
+#include "io/same_file.hpp"
 #include "ui/text/format.hpp"
 
 namespace stemwise {
@@ -14,66 +15,82 @@ namespace fs = std::filesystem;
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
-void reset_view(WindowModel& m) {
-  m.view.selected_tree = {};
-  m.view.selected_stem = {};
-  m.view.selected_inventory = m.document.state().reference;
-  m.view.hidden.clear();
-  m.view.only_fate.reset();
-  m.view.group.clear();
-  m.view.queue = {};
-  m.view.tool = ui::Tool::select;
-  m.view.underlays.clear();
-  m.underlays = {};
-  m.view.pairs.clear();
-  m.view.ghost = m.view.before_after = m.view.slide = false;
-  m.view.placement = {};
-  m.previews.forget();
-  m.status.placement.reset();
-  m.status.fusion.reset();
-  m.status.rules.reset();
-  m.status.exporting.reset();
-  m.status.reporting.reset();
-  m.status.page.reset();
-  m.walk = {};
-}
-
-void show_fitting_step(WindowModel& m) {
-  const ProjectState& state = m.document.state();
-  bool placed = false;
-  for (const auto& inventory : state.inventories) placed = placed || (inventory->id != state.reference && state.is_placed(inventory->id));
-  m.view.step = placed ? ui::Step::review : state.inventories.size() >= 2 ? ui::Step::align : ui::Step::inventories;
-}
-
-JobVerdict take_project(WindowModel& m, const std::string& path, Result<ProjectState> read) {
-  m.notices.add_issues(read ? "Opened " + file_name(path) + " with remarks" : file_name(path) + " could not be opened", read.issues);
-  if (!read) {
+JobVerdict take_project(WindowModel& m, const std::string& path, ReadProject read) {
+  if (!read.state) {
+    m.notices.add_issues(file_name(path) + " could not be opened", read.state.issues);
     m.preferences.forget_project(path);
+    offer_recovery(m, path);
     return {false, "not opened"};
   }
-  remember_underlays(m);
-  m.document.replace(std::move(*read), path, true);
+  take_up(m, std::move(*read.state), path, std::move(read.stamp), true);
+  m.notices.add_issues("Opened " + file_name(path) + " with remarks", read.state.issues);
   m.preferences.remember_project(path);
-  m.saved_at.reset();
-  reset_view(m);
-  show_fitting_step(m);
-  restore_underlays(m);
+  if (is_open_elsewhere(m.autosave_file, path)) {
+    m.notices.add(Severity::warning, file_name(path) + " is open in another window too",
+                  {Issue{Severity::warning, "", 0, "", "What is decided there is not seen here. Whoever saves second is asked, so that nothing is lost.", ""}});
+  }
+  offer_recovery(m, path);
   return {true, ui::plural(static_cast<std::int64_t>(m.document.state().inventories.size()), "inventory", "inventories")};
 }
 
-JobVerdict take_saved(WindowModel& m, const std::string& path, std::uint64_t revision, const Result<Done>& written) {
-  if (!written) {
-    m.notices.add_issues(file_name(path) + " could not be written; nothing is lost", written.issues);
+/// "stand-copy.gpkg" beside the project, or the next name that is free.
+std::string copy_beside(const std::string& path) {
+  const fs::path p(path);
+  std::error_code error;
+  for (int n = 1;; ++n) {
+    const fs::path copy = p.parent_path() / (p.stem().string() + "-copy" + (n == 1 ? "" : "-" + std::to_string(n)) + p.extension().string());
+    if (!fs::exists(copy, error)) return copy.string();
+  }
+}
+
+void start_save(WindowModel& m, const std::string& path, const std::optional<ProjectStamp>& known);
+
+void save_copy(WindowModel& m, const std::string& path) {
+  const std::string copy = copy_beside(path);
+  m.notices.add(Severity::note, "Goes on as " + file_name(copy), {Issue{Severity::note, "", 0, "", file_name(path) + " stays beside it, as it was saved elsewhere.", ""}});
+  start_save(m, copy, ProjectStamp{});
+}
+
+/// Nothing was written: somebody else saved the file since it was read or written here.
+void ask_about_changed(WindowModel& m, const std::string& path, const SavedProject& saved) {
+  const std::string name = file_name(path);
+  const std::string edits = saved.edits_there == 0 ? "" : " It holds " + ui::plural(static_cast<std::int64_t>(saved.edits_there), "edit", "edits") + " that this window does not have.";
+  const ui::Question question{name + " was changed elsewhere",
+                              "Another window or a command has saved it since it was opened here." + edits + " Replacing it loses what was done there; a copy keeps both.", "Replace it",
+                              "Stay", "Save as a copy"};
+  ask(m, question, {.yes = [&m, path, there = *saved.changed_to] { start_save(m, path, there); },
+                    .no = [&m] { m.leaves_after_saving = false; },
+                    .other = [&m, path] { save_copy(m, path); }});
+}
+
+JobVerdict take_saved(WindowModel& m, const std::string& path, std::uint64_t revision, const SavedProject& saved) {
+  if (saved.changed_to) {
+    ask_about_changed(m, path, saved);
+    return {false, "not written: the file was changed elsewhere"};
+  }
+  if (!saved.written) {
+    m.notices.add_issues(file_name(path) + " could not be written; nothing is lost", saved.written.issues);
     m.leaves_after_saving = false;
     return {false, "not written"};
   }
-  m.document.set_path(path);
-  m.document.mark_saved(revision);
   m.preferences.remember_project(path);
+  if (!m.document.is_of_this_project(revision)) return {true, "written to " + path};
+  m.document.set_path(path, *saved.written);
+  m.document.mark_saved(revision);
   remember_underlays(m);
   m.saved_at = std::chrono::steady_clock::now();
   if (std::exchange(m.leaves_after_saving, false) && m.after_leaving && !m.document.is_dirty()) std::exchange(m.after_leaving, nullptr)();
   return {true, "written to " + path};
+}
+
+void start_save(WindowModel& m, const std::string& path, const std::optional<ProjectStamp>& known) {
+  m.jobs.start<SavedProject>(
+      "Save " + file_name(path), JobLane::person,
+      [path, known, state = m.document.state()](const Progress& progress) {
+        progress.at(0.1, "Writing " + file_name(path));
+        return write_project_file(path, state, known);
+      },
+      [&m, path, revision = m.document.revision()](SavedProject saved) { return take_saved(m, path, revision, saved); });
 }
 
 void start_export(WindowModel& m, const ui::request::Export& what) {
@@ -114,9 +131,7 @@ void remember_folder(WindowModel& m, const std::string& path) {
 }
 
 void new_project(WindowModel& m) {
-  remember_underlays(m);
-  m.document.replace(ProjectState{}, "", true);
-  reset_view(m);
+  take_up(m, ProjectState{}, "", {}, true);
   m.view.step = ui::Step::inventories;
 }
 
@@ -124,13 +139,13 @@ void open_project(WindowModel& m, const std::string& given) {
   std::error_code code;
   const std::string path = std::filesystem::absolute(given, code).lexically_normal().string();  // recent files and recovery outlive the current folder
   remember_folder(m, path);
-  m.jobs.start<Result<ProjectState>>(
+  m.jobs.start<ReadProject>(
       "Open " + file_name(path), JobLane::person,
       [path](const Progress& progress) {
         progress.at(0.1, "Reading " + file_name(path));
         return read_project_file(path);
       },
-      [&m, path](Result<ProjectState> read) { return take_project(m, path, std::move(read)); });
+      [&m, path](ReadProject read) { return take_project(m, path, std::move(read)); });
 }
 
 void save(WindowModel& m) {
@@ -142,15 +157,14 @@ void save(WindowModel& m) {
 }
 
 void save_as(WindowModel& m, const std::string& given) {
-  const std::string path = fs::path(given).extension() == ".gpkg" ? given : given + ".gpkg";
+  std::error_code code;
+  const std::string path = fs::absolute(fs::path(given).extension() == ".gpkg" ? given : given + ".gpkg", code).lexically_normal().string();
   remember_folder(m, path);
-  m.jobs.start<Result<Done>>(
-      "Save " + file_name(path), JobLane::person,
-      [path, state = m.document.state()](const Progress& progress) {
-        progress.at(0.1, "Writing " + file_name(path));
-        return write_project_file(path, state);
-      },
-      [&m, path, revision = m.document.revision()](Result<Done> written) { return take_saved(m, path, revision, written); });
+  if (names_same_file(path, m.document.path())) return start_save(m, path, m.document.stamp());
+  if (!is_open_elsewhere(m.autosave_file, path)) return start_save(m, path, std::nullopt);
+  const std::string name = file_name(path);
+  ask(m, {"Replace " + name + "?", name + " is a project that is open in another window. What was saved there will be lost.", "Replace it", "Keep the old one", ""},
+      {.yes = [&m, path] { start_save(m, path, std::nullopt); }, .no = [&m] { m.leaves_after_saving = false; }});
 }
 
 void export_layer(WindowModel& m, const ui::request::Export& what) {
@@ -159,47 +173,6 @@ void export_layer(WindowModel& m, const ui::request::Export& what) {
 
 void write_report(WindowModel& m, const ui::request::WriteReport& what) {
   write_over(m, what.path, [&m, what] { start_report(m, what); });
-}
-
-void leave_then(WindowModel& m, std::function<void()> next) {
-  if (!m.document.is_dirty() || m.document.is_empty()) {
-    next();
-    return;
-  }
-  m.after_leaving = std::move(next);
-  m.view.dialog = ui::Dialog::leave;
-}
-
-void answer_leave(WindowModel& m, bool save_first) {
-  m.view.dialog = ui::Dialog::none;
-  if (save_first) {
-    m.leaves_after_saving = true;
-    save(m);
-  } else if (m.after_leaving) {
-    std::exchange(m.after_leaving, nullptr)();
-  }
-}
-
-void answer_recovery(WindowModel& m, bool bring_back) {
-  m.view.dialog = ui::Dialog::none;
-  if (!bring_back) {
-    ask(m, {"Throw the unsaved work away?", m.status.recovery_text + " It cannot be brought back afterwards.", "Throw it away", "Keep it"},
-        [&m] { discard_autosave(std::exchange(m.recovered_file, "")); }, [&m] { m.view.dialog = ui::Dialog::recover; });
-    return;
-  }
-  const std::string file = std::exchange(m.recovered_file, "");
-  m.jobs.start<Result<ProjectState>>(
-      "Bring back unsaved work", JobLane::person, [file](const Progress&) { return read_project_file(file); },
-      [&m, file](Result<ProjectState> read) -> JobVerdict {
-        m.notices.add_issues("What autosave kept could not be read", read ? Issues{} : read.issues);
-        if (!read) return {false, "not readable"};
-        m.document.replace(std::move(*read), autosave_origin(file).path, false);
-        reset_view(m);
-        show_fitting_step(m);
-        restore_underlays(m);
-        discard_autosave(file);
-        return {true, "brought back"};
-      });
 }
 
 }  // namespace stemwise

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "app/window/project_io.hpp"
 #include "app/window/requests.hpp"
@@ -61,6 +62,21 @@ void read_again(WindowModel& m, std::size_t index) {
       });
 }
 
+/// One Escape is no decision to do all the choosing again: what was edited can be had back.
+void keep_cancelled(WindowModel& m, std::vector<PendingImport> imports) {
+  if (std::none_of(imports.begin(), imports.end(), [](const PendingImport& p) { return p.edited; })) return;
+  const std::string files = ui::plural(static_cast<std::int64_t>(imports.size()), "file", "files");
+  const auto kept = std::make_shared<std::vector<PendingImport>>(std::move(imports));
+  const auto bring_back = [&m, kept] {
+    m.imports = std::move(*kept);
+    for (std::size_t i = 0; i < m.imports.size(); ++i)
+      if (m.imports[i].reading) read_again(m, i);  // that reading came back to a dialog that was gone
+    m.view.dialog = ui::Dialog::import;
+    show(m);
+  };
+  m.notices.add(Severity::note, "Import cancelled", {Issue{Severity::note, "", 0, "", "What you set for " + files + " is kept while this project is open.", ""}}, {{"Bring it back", bring_back}, {"Dismiss", {}}});
+}
+
 /// What the person saw and took holds for the next file with this header: also units that were guessed and left standing.
 void remember(WindowModel& m, const PendingImport& pending) {
   if (!pending.preview.inventory || !pending.settings.take) return;
@@ -96,8 +112,10 @@ void edit_import(WindowModel& m, const ui::request::ImportEdit& edit) {
   if (edit.file >= m.imports.size()) return;
   PendingImport& pending = m.imports[edit.file];
   ui::ImportSettings before = std::exchange(pending.settings, edit.settings);
+  pending.edited = true;
   before.take = edit.settings.take;
   before.name = edit.settings.name;
+  before.no_date = edit.settings.no_date;
   if (!(before == edit.settings)) {
     pending.remembered = false;
     read_again(m, edit.file);
@@ -109,7 +127,7 @@ void finish_import(WindowModel& m, bool take_them) {
   m.view.dialog = ui::Dialog::none;
   m.status.imports.clear();
   std::vector<PendingImport> imports = std::exchange(m.imports, {});
-  if (!take_them) return;
+  if (!take_them) return keep_cancelled(m, std::move(imports));
   for (const PendingImport& pending : imports) remember(m, pending);
   // Seen in the dialog: what could not be read is left out without a second word.
   std::erase_if(imports, [](const PendingImport& p) { return !p.preview.inventory; });

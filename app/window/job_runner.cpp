@@ -161,6 +161,11 @@ void JobRunner::cancel_all() {
   for (const auto& job : all_) job->cancelled = true;
 }
 
+void JobRunner::forget_finished() {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(all_, [](const auto& job) { return job->delivered; });
+}
+
 std::vector<ui::JobView> JobRunner::views() const {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();

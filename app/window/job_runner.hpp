@@ -48,6 +48,7 @@ class JobRunner {
   bool poll();
   void cancel(int id);
   void cancel_all();
+  void forget_finished();  ///< the list of the person's jobs begins anew with those that still run
   /// Jobs of the person, newest first.
   std::vector<ui::JobView> views() const;
   bool is_busy(JobLane lane) const;

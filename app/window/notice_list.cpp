@@ -10,6 +10,8 @@ constexpr std::size_t most_notices = 200;
 }  // namespace
 
 void NoticeList::add(Severity severity, std::string title, Issues details, std::vector<NoticeChoice> choices) {
+  const auto same = std::find_if(notices_.begin(), notices_.end(), [&](const ui::Notice& n) { return n.severity == severity && n.title == title && n.details == details; });
+  if (same != notices_.end()) dismiss(same->id);
   ui::Notice notice{next_id_++, severity, std::move(title), std::move(details), 0.0, {}};
   for (const NoticeChoice& choice : choices) notice.choices.push_back(choice.label);
   if (!choices.empty()) choices_[notice.id] = std::move(choices);

@@ -17,6 +17,7 @@ struct NoticeChoice {
 /// What the person was told, newest first.
 class NoticeList {
  public:
+  /// The same once more takes the place of the earlier one, and is new again.
   void add(Severity severity, std::string title, Issues details = {}, std::vector<NoticeChoice> choices = {});
   /// A notice from the issues of one piece of work; the worst of them gives the severity. Nothing without issues.
   void add_issues(const std::string& title, const Issues& issues);

@@ -16,6 +16,7 @@ struct PendingImport {
   bool remembered = false;     ///< the settings are those of the last file with this header
   int generation = 0;          ///< goes up with every change: an older reading that arrives late is dropped
   bool reading = false;
+  bool edited = false;         ///< by a person, in the dialog
 };
 
 /// Reads a file as it is, or as the last one with its header was read. Ready to be aligned (frames are made one inventory).

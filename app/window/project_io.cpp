@@ -1,5 +1,7 @@
 #include "app/window/project_io.hpp"
 
+#include <algorithm>
+
 #include "core/simulate/simulate_forest.hpp"
 #include "core/survey/field_check.hpp"
 #include "core/survey/report_model.hpp"
@@ -10,6 +12,10 @@
 
 namespace stemwise {
 namespace {
+
+std::size_t count_unknown_edits(const std::vector<EditLogEntry>& there, const std::vector<EditLogEntry>& here) {
+  return static_cast<std::size_t>(std::count_if(there.begin(), there.end(), [&](const EditLogEntry& edit) { return std::find(here.begin(), here.end(), edit) == here.end(); }));
+}
 
 std::string software() { return std::string("Stemwise ") + STEMWISE_VERSION; }
 
@@ -27,12 +33,17 @@ ReadSurveys make_demo(const Progress& progress) {
   return demo;
 }
 
-Result<ProjectState> read_project_file(const std::string& path) {
-  return read_project(path);
+ReadProject read_project_file(const std::string& path) {
+  ProjectStamp stamp = project_stamp(path);
+  return {read_project(path), std::move(stamp)};
 }
 
-Result<Done> write_project_file(const std::string& path, const ProjectState& state) {
-  return write_project(state, path);
+SavedProject write_project_file(const std::string& path, const ProjectState& state, const std::optional<ProjectStamp>& known) {
+  SavedProject saved{write_project(state, path, known), std::nullopt};
+  if (saved.written || !known || !is_changed_since(*known, path)) return saved;
+  saved.changed_to = project_stamp(path);
+  if (const Result<ProjectState> there = read_project(path)) saved.edits_there = count_unknown_edits(there->edit_log, state.edit_log);
+  return saved;
 }
 
 Result<Done> write_export(const ProjectState& state, const ui::request::Export& what) {

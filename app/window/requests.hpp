@@ -71,10 +71,18 @@ void save_as(WindowModel& model, const std::string& path);
 void export_layer(WindowModel& model, const ui::request::Export& what);
 void write_report(WindowModel& model, const ui::request::WriteReport& what);
 JobVerdict tell_written(WindowModel& model, const std::string& path, const Result<Done>& written);
+/// Another project in this window (take_up.cpp): nothing of the one before stays.
+void take_up(WindowModel& model, ProjectState state, const std::string& path, ProjectStamp stamp, bool saved);
+
+// Leaving (leave_requests.cpp).
 /// Runs `next` at once, or after the person has decided about unsaved changes.
 void leave_then(WindowModel& model, std::function<void()> next);
 void answer_leave(WindowModel& model, bool save_first);
-void answer_recovery(WindowModel& model, bool bring_back);
+void quit(WindowModel& model);  ///< also from inside a dialog
+
+// What a window that ended without a word has left (recovery_requests.cpp).
+void offer_recovery(WindowModel& model, const std::string& of = {});  ///< `of`: only of the project in this file
+void answer_recovery(WindowModel& model, ui::RecoveryAnswer answer);
 
 // Rules, charts and sheets (result_requests.cpp).
 void choose_rules(WindowModel& model, const std::optional<RulePack>& pack);
@@ -83,8 +91,8 @@ void write_field_check_sheet(WindowModel& model, const ui::request::WriteFieldCh
 void save_chart(WindowModel& model, const ui::request::SaveChart& what);
 
 // Questions and choices (questions.cpp).
-void ask(WindowModel& model, ui::Question question, std::function<void()> yes, std::function<void()> no = {});
-void answer_question(WindowModel& model, bool yes);
+void ask(WindowModel& model, ui::Question question, AnswerActions actions);
+void answer_question(WindowModel& model, ui::Answer answer);
 /// Runs `write` at once for a new file, after asking for another one. A Stemwise project is never written over: that is
 /// refused with a notice.
 void write_over(WindowModel& model, const std::string& path, std::function<void()> write);

@@ -22,7 +22,7 @@ bool run_file_action(WindowModel& m, ActionId action) {
     case file_demo: leave_then(m, [&m] { add_demo(m); }); return true;
     case file_save: m.leaves_after_saving = false; save(m); return true;
     case file_save_as: m.leaves_after_saving = false; m.view.dialog = ui::Dialog::save_project; return true;
-    case file_quit: leave_then(m, [&m] { m.wants_close = true; }); return true;
+    case file_quit: quit(m); return true;
     default: return false;
   }
 }

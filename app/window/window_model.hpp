@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/window/autosave.hpp"
 #include "app/window/chart_host.hpp"
 #include "app/window/document.hpp"
 #include "app/window/job_runner.hpp"
@@ -20,6 +21,11 @@
 #include "ui/window_status.hpp"
 
 namespace stemwise {
+
+/// What the answers to a question do; empty: nothing.
+struct AnswerActions {
+  std::function<void()> yes = {}, no = {}, other = {};
+};
 
 /// Everything the window holds; the handlers of requests change it, the panels read it.
 struct WindowModel {
@@ -38,11 +44,15 @@ struct WindowModel {
   ReviewWalk walk;                                 ///< through the queue, by N and P
   float scale = 1.0f;                              ///< of the interface just now
   std::function<void()> after_leaving;             ///< what waits until changes are saved or given up
-  std::function<void()> on_yes, on_no;             ///< of the question that is asked
+  AnswerActions on_answer;                         ///< of the question that is asked
+  ui::Dialog behind_question = ui::Dialog::none;   ///< goes on when that is answered
   bool leaves_after_saving = false;
   std::optional<std::chrono::steady_clock::time_point> saved_at;
-  std::string autosave_folder;
-  std::string recovered_file;                      ///< what the recovery dialog is about
+  std::optional<ProjectStamp> changed_elsewhere;   ///< the document's stamp when its file was seen to hold something else
+  std::string autosave_folder;                     ///< empty: nothing is kept or recovered
+  std::string autosave_file;                       ///< this window's own
+  std::optional<Leftover> leftover;                ///< what the recovery dialog is about
+  std::optional<Leftover> rescued;                 ///< brought back; stays until this window has kept it itself
   bool wants_close = false;
   JobRunner jobs;  ///< last: its threads end before anything else goes
 

@@ -35,14 +35,14 @@ bool taken_by_focus(const Action& a) { return a.chord == KeyChord{Key::space} &&
 
 bool is_typing() { return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID; }
 
-void ActionKeys::run(const Availabilities& available, Requests& requests) {
+void ActionKeys::run(const Availabilities& available, Requests& requests, bool in_dialog) {
   const auto run_one = [&](ActionId id) {
     if (available[static_cast<std::size_t>(id)].enabled()) requests.run(id);
   };
   for (const ActionId id : std::exchange(waiting_, {})) run_one(id);
   const bool typing = is_typing();
   for (const Action& a : all_actions()) {
-    if (!pressed(a) || (typing && belongs_to_text_field(a)) || taken_by_focus(a)) continue;
+    if ((in_dialog && a.id != ActionId::file_quit) || !pressed(a) || (typing && belongs_to_text_field(a)) || taken_by_focus(a)) continue;
     if (a.chord.alt) GImGui->NavWindowingToggleLayer = false;  // letting Alt go then does not lead into the menu bar
     if (typing) waiting_.push_back(a.id);
     else run_one(a.id);

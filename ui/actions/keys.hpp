@@ -10,8 +10,8 @@ namespace stemwise::ui {
 /// themselves (Ctrl+Z, Ctrl+Y): the field is left first, so that what was typed is in the project when the action runs.
 class ActionKeys {
  public:
-  /// Once a frame, before the panels are drawn.
-  void run(const Availabilities& available, Requests& requests);
+  /// Once a frame, before the panels are drawn. `in_dialog`: only what leads out of every dialog, Quit.
+  void run(const Availabilities& available, Requests& requests, bool in_dialog);
 
  private:
   std::vector<ActionId> waiting_;  ///< for the field to be left

@@ -99,15 +99,19 @@ void draw_history(Widgets& w, Frame& frame) {
 void draw_recovery(Widgets& w, Frame& frame) {
   bool open = true;
   const Modal modal(w, "Bring back unsaved work?", 460.0f, 0.0f, open);
+  const auto answer = [&](RecoveryAnswer a) { frame.requests.emit(request::Recover{a}); };
+  if (!open) answer(RecoveryAnswer::not_now);
   if (!modal) return;
   w.paragraph(frame.status.recovery_text, TextRole::body);
   w.paragraph("Stemwise did not close in the usual way, but autosave has kept your work. Bringing it back changes no file of yours; undo starts anew from there.",
               TextRole::body, Tone::secondary);
   w.gap(8);
   const Rect row = w.next_rect(w.available_width(), w.px(30));
-  if (w.button("recover/yes", "Bring it back", {.primary = true})) frame.requests.emit(request::Recover{true});
-  const float width = w.px(132);  // far from the other one: what is thrown away is gone
-  if (w.button_in({row.right() - width, row.y, width, row.height}, "recover/no", "Throw it away…")) frame.requests.emit(request::Recover{false});
+  if (w.button("recover/yes", "Bring it back", {.primary = true})) answer(RecoveryAnswer::bring_back);
+  ImGui::SameLine();
+  if (w.button("recover/later", "Not now", {.tooltip = "It is kept, and offered again when Stemwise starts or this project is opened"})) answer(RecoveryAnswer::not_now);
+  const float width = w.px(132);  // far from the other ones: what is thrown away is gone
+  if (w.button_in({row.right() - width, row.y, width, row.height}, "recover/no", "Throw it away…")) answer(RecoveryAnswer::throw_away);
 }
 
 void draw_question(Widgets& w, Frame& frame) {
@@ -118,13 +122,17 @@ void draw_question(Widgets& w, Frame& frame) {
   const Question& question = *frame.status.question;
   bool open = true;
   const Modal modal(w, question.title.c_str(), 460.0f, 0.0f, open);
-  if (!open) frame.requests.emit(request::AnswerQuestion{false});
+  const auto answer = [&](Answer a) { frame.requests.emit(request::AnswerQuestion{a}); };
+  if (!open) answer(Answer::no);
   if (!modal) return;
   w.paragraph(question.text, TextRole::body);
   w.gap(8);
-  if (w.button("question/no", question.no, {.primary = true})) frame.requests.emit(request::AnswerQuestion{false});
+  const bool has_other = !question.other.empty();
+  if (has_other && w.button("question/other", question.other, {.primary = true})) answer(Answer::other);
+  if (has_other) ImGui::SameLine();
+  if (w.button("question/no", question.no, {.primary = !has_other})) answer(Answer::no);
   ImGui::SameLine();
-  if (w.button("question/yes", question.yes)) frame.requests.emit(request::AnswerQuestion{true});
+  if (w.button("question/yes", question.yes)) answer(Answer::yes);
 }
 
 void draw_leave(Widgets& w, Frame& frame) {

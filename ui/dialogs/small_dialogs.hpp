@@ -13,7 +13,7 @@ void draw_history(Widgets& w, Frame& frame);
 void draw_recovery(Widgets& w, Frame& frame);
 /// Leaving with changes that were not saved (quit, or another project).
 void draw_leave(Widgets& w, Frame& frame);
-/// The question of the status, with two answers; Escape is no.
+/// The question of the status, with two answers or three; Escape is no.
 void draw_question(Widgets& w, Frame& frame);
 
 }  // namespace stemwise::ui

@@ -125,7 +125,7 @@ TEST_F(WindowBenchmark, FrameRatesPickingSortingAndIdlenessOfTheWholeWindow) {
   if (!std::getenv("STEMWISE_BENCHMARK")) GTEST_SKIP() << "SKIPPED: set STEMWISE_BENCHMARK=1 to measure";
   for (const int stems : {5'000, 50'000, 100'000}) {
     const test::DemoForest forest(stems * 10 / 29);
-    model().document.replace(forest.state(), "", true);
+    model().document.replace(forest.state(), "", {}, true);
     model().view.step = ui::Step::review;
     window().settle();
     const ui::Rect map = window().desk().registry().find("viewport")->rect;
@@ -147,7 +147,7 @@ TEST_F(WindowBenchmark, FrameRatesPickingSortingAndIdlenessOfTheWholeWindow) {
     const double conflicts_ms = longest_frame_ms([&] { model().view.tab = ui::BottomTab::conflicts; });
     std::printf("        drawing thread, longest frame: step 4 %.0f ms, step 5 %.0f ms, charts %.0f ms, rose %.0f ms, conflicts %.0f ms\n", merging_ms, reporting_ms, charts_ms, rose_ms, conflicts_ms);
     model().view.step = ui::Step::review;
-    const double opened_ms = longest_frame_ms([&] { model().document.replace(forest.state(), "", true); });
+    const double opened_ms = longest_frame_ms([&] { model().document.replace(forest.state(), "", {}, true); });
     std::printf("        drawing thread, longest frame: drawing again %.0f ms, selecting %.0f ms, deciding %.0f ms, undoing %.0f ms, another colouring %.0f ms, opening %.0f ms\n", drawn_ms, selected_ms, decided_ms, undone_ms,
                 coloured_ms, opened_ms);
     if (stems == 5'000) std::printf("        while an alignment of them runs and arrives: %.0f ms\n", longest_frame_ms([&] { run_alignment(model()); }));
@@ -172,7 +172,7 @@ std::pair<std::shared_ptr<const RasterUnderlay>, std::shared_ptr<const CloudUnde
 TEST_F(WindowBenchmark, FrameRatesWithLargeUnderlays) {
   if (!std::getenv("STEMWISE_BENCHMARK")) GTEST_SKIP() << "SKIPPED: set STEMWISE_BENCHMARK=1 to measure";
   const test::DemoForest forest(5'000 * 10 / 29);
-  model().document.replace(forest.state(), "", true);
+  model().document.replace(forest.state(), "", {}, true);
   window().settle();
   const auto [raster, cloud] = large_underlays(forest.tables());
   model().underlays.tended_revision = model().document.revision();

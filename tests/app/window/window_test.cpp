@@ -100,7 +100,7 @@ TEST_F(WindowTest, UnsavedWorkSurvivesACrash) {
   fs::create_directories(folder_ / "config2");
   fs::copy(folder_ / "copy", folder_ / "config2" / "autosave");
   for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
-    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": "", "title": "Stand", "time": "", "process": 2147483000})";
+    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": "", "title": "Stand", "time": ""})";
   }
   auto again = HeadlessWindow::create({.desk = {.paths = {}, .config_folder = (folder_ / "config2").string()}});
   ASSERT_TRUE(again);
@@ -128,7 +128,7 @@ TEST_F(WindowTest, UnsavedWorkOfAProjectIsOfferedWhenThatProjectIsOpened) {
   fs::create_directories(folder_ / "config2");
   fs::copy(folder_ / "copy", folder_ / "config2" / "autosave");
   for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
-    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": ")" << path << R"(", "title": "Stand", "time": "", "process": 2147483000})";
+    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": ")" << path << R"(", "title": "Stand", "time": ""})";
   }
   const fs::path here = fs::current_path();
   fs::current_path(folder_);
