@@ -19,6 +19,7 @@ std::string state_of(const ImportFile& file) {
   if (file.reading) return "reading…";
   if (!file.settings.take) return "left out";
   if (!file.usable) return "cannot be read like this";
+  if (!file.settings.no_date.empty()) return "the date is not understood";
   const std::int64_t problems = problem_count(file);
   return plural(file.stem_count, "stem", "stems") + (problems > 0 ? " · " + plural(problems, "remark", "remarks") : "");
 }
@@ -104,7 +105,7 @@ void ImportDialog::draw_file(Widgets& w, const ImportFile& file, std::size_t ind
   if (index == shown_) w.fill(row, w.tokens().accent_soft, w.px(6));
   const std::string state = state_of(file);
   if (w.area("import/file/" + std::to_string(index), row, state)) shown_ = index;
-  const bool doubt = !file.usable || problem_count(file) > 0;
+  const bool doubt = !file.usable || problem_count(file) > 0 || !file.settings.no_date.empty();
   const bool out = !file.settings.take;
   const Tone tone = out ? Tone::secondary : !file.usable ? Tone::error : doubt ? Tone::warning : Tone::accent;
   w.text_in({row.x + w.px(6), row.y, w.px(18), row.height}, out ? icon::cross : doubt ? icon::warning : icon::check, TextRole::body, tone, Align::center);
@@ -188,7 +189,9 @@ void ImportDialog::draw_foot(Widgets& w, Frame& frame, const std::vector<ImportF
   const bool reading = std::any_of(files.begin(), files.end(), [](const ImportFile& f) { return f.reading; });
   const std::string label = "Add " + plural(wanted, "inventory", "inventories");
   const float add = w.text_width(label, TextRole::strong) + w.px(40), cancel = w.px(90);
-  const std::string why_not = reading ? "Wait until the file is read" : wanted == 0 ? "No file can be read like this" : "";
+  const auto undated = std::find_if(files.begin(), files.end(), [](const ImportFile& f) { return f.settings.take && !f.settings.no_date.empty(); });
+  std::string why_not = reading ? "Wait until the file is read" : wanted == 0 ? "No file can be read like this" : "";
+  if (undated != files.end()) why_not = "\"" + undated->settings.no_date + "\" is not a date (" + undated->file_name + "): write 2023-05-04, or leave it empty";
   bool take = file.settings.take;
   if (w.checkbox("import/take", "Take this file", take, "Off: the file is left out")) {
     ImportSettings settings = file.settings;

@@ -60,7 +60,7 @@ void ImportSettingsPanel::fill_fields(const ImportFile& file) {
   date_read_ = file.date;
   epsg_read_ = file.epsg;
   name_ = file.settings.name.empty() ? file.name : file.settings.name;
-  date_ = file.settings.date ? to_string(*file.settings.date) : file.date ? to_string(*file.date) : "";
+  date_ = !file.settings.no_date.empty() ? file.settings.no_date : file.settings.date ? to_string(*file.settings.date) : file.date ? to_string(*file.date) : "";
   epsg_ = file.settings.epsg ? std::to_string(*file.settings.epsg) : file.epsg ? std::to_string(*file.epsg) : "";
 }
 
@@ -93,9 +93,13 @@ void ImportSettingsPanel::draw_date(Widgets& w, const ImportFile& file) {
   const bool done = ImGui::IsItemDeactivatedAfterEdit();
   if (ImGui::IsItemHovered()) w.tooltip("When it was surveyed: growth per year needs it. Empty: as the file or its name says.");
   const std::optional<Date> date = parse_date(date_);
-  if (!date_.empty() && !date) w.text("not a date: write 2023-05-04", TextRole::caption, Tone::warning);
+  if (!date_.empty() && !date) {
+    w.text("not a date: write 2023-05-04", TextRole::caption, Tone::warning);
+    w.record_last("import/date/refused", date_);
+  }
   if (!done) return;
-  if (date_.empty()) wanted_.date.reset();
+  wanted_.no_date = date ? "" : date_;
+  if (!date) wanted_.date.reset();
   if (date && (wanted_.date || date != file.date)) wanted_.date = date;
 }
 

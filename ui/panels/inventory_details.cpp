@@ -87,22 +87,34 @@ void InventoryDetails::draw_facts(Widgets& w, const Inventory& inventory) {
   ImGui::PopStyleVar();
 }
 
+void InventoryDetails::fill_date(const Frame& frame, const Inventory& inventory) {
+  if (refused_in_ != &frame.project) refused_.clear();  // another project's surveys have the same ids
+  refused_in_ = &frame.project;
+  if (dated_ == inventory.id && dated_at_ == frame.revision) return;
+  dated_ = inventory.id;
+  dated_at_ = frame.revision;
+  const auto refused = refused_.find(inventory.id);
+  if (refused != refused_.end() && refused->second.instead_of != inventory.date) refused_.erase(refused);
+  date_ = refused_.contains(inventory.id) ? refused_.at(inventory.id).text : inventory.date ? to_string(*inventory.date) : "";
+}
+
 void InventoryDetails::draw_date(Widgets& w, Frame& frame, const Inventory& inventory) {
-  if (dated_ != inventory.id || dated_at_ != frame.revision) {
-    dated_ = inventory.id;
-    dated_at_ = frame.revision;
-    date_ = inventory.date ? to_string(*inventory.date) : "";
-    date_problem_.clear();
-  }
+  fill_date(frame, inventory);
   w.section("Date of the survey");
   w.input("details/date", date_, {.hint = "2023-05-04, or a year"});
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     const std::optional<Date> date = parse_date(date_);
-    date_problem_ = !date && !date_.empty() ? "\"" + date_ + "\" is not a date. Write it as 2023-05-04." : "";
-    if (date_problem_.empty() && date != inventory.date) frame.requests.emit(request::SetDate{inventory.id, date});
+    refused_.erase(inventory.id);
+    if (!date && !date_.empty()) refused_[inventory.id] = {date_, inventory.date};
+    else if (date != inventory.date) frame.requests.emit(request::SetDate{inventory.id, date});
   }
-  if (!date_problem_.empty()) w.paragraph(date_problem_, TextRole::table, Tone::warning);
-  if (!inventory.date && date_problem_.empty()) w.paragraph("Without a date there are no growth rates per year.", TextRole::table, Tone::secondary);
+  const auto refused = refused_.find(inventory.id);
+  if (refused != refused_.end()) {
+    w.paragraph("\"" + refused->second.text + "\" is not a date. Write it as 2023-05-04.", TextRole::table, Tone::warning);
+    w.record_last("details/date/refused", refused->second.text);
+  } else if (!inventory.date) {
+    w.paragraph("Without a date there are no growth rates per year.", TextRole::table, Tone::secondary);
+  }
 }
 
 /// Where the survey looked: what is not there outside of it is never called missing.

@@ -1,4 +1,8 @@
 #pragma once
+#include <map>
+#include <optional>
+#include <string>
+
 #include "ui/frame.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -13,6 +17,7 @@ class InventoryDetails {
   void draw_facts(Widgets& w, const Inventory& inventory);
   void draw_coverage(Widgets& w, Frame& frame, const Inventory& inventory);
   void draw_dbh_error(Widgets& w, Frame& frame, const Inventory& inventory);
+  void fill_date(const Frame& frame, const Inventory& inventory);
   void draw_date(Widgets& w, Frame& frame, const Inventory& inventory);
   void draw_first_rows(Widgets& w, const Inventory& inventory);
   void count(const Inventory& inventory);
@@ -27,7 +32,12 @@ class InventoryDetails {
   InventoryId dated_;
   std::uint64_t dated_at_ = ~0ULL;
   std::string date_;
-  std::string date_problem_;
+  struct Refused {
+    std::string text;  ///< typed for the date, and none
+    std::optional<Date> instead_of;
+  };
+  std::map<InventoryId, Refused> refused_;
+  const Project* refused_in_ = nullptr;
   InventoryId errors_of_;
   std::uint64_t errors_at_ = ~0ULL;
   double error_cm_ = 0.0;  ///< 0: estimated

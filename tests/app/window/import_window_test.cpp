@@ -206,5 +206,105 @@ TEST(ImportMemory, KeepsTheNewestMappingOfAHeaderAndForgetsWhatSaysNothing) {
   EXPECT_EQ(ImportMemory::read(path.string()).size(), 0u);
 }
 
+TEST_F(ImportTest, ADateThatIsNoneStaysInItsFieldAndIsNotTakenForOne) {
+  drop({write_plain("a.csv"), write_plain("b.csv")});
+  ASSERT_TRUE(is_open());
+  ASSERT_TRUE(window().fill("import/date", "June 2020"));
+  window().settle();
+  EXPECT_TRUE(window().has("import/date/refused"));
+  EXPECT_FALSE(window().has("import/add"));
+  ASSERT_TRUE(window().fill("import/name", "other"));
+  ASSERT_TRUE(choose("import/unit/dbh", "inch"));
+  ASSERT_TRUE(window().click("import/file/1"));
+  window().settle();
+  EXPECT_EQ(window().value("import/date"), "");
+  EXPECT_FALSE(window().has("import/date/refused"));
+  EXPECT_FALSE(window().has("import/add"));  // it would be taken without the date that was meant
+  ASSERT_TRUE(window().click("import/file/0"));
+  window().settle();
+  EXPECT_EQ(window().value("import/date"), "June 2020");
+  EXPECT_TRUE(window().has("import/date/refused"));
+  ASSERT_TRUE(window().fill("import/date", "2020-06-15"));
+  window().settle();
+  EXPECT_FALSE(window().has("import/date/refused"));
+  ASSERT_TRUE(window().click("import/add"));
+  window().settle();
+  ASSERT_EQ(state().inventories.size(), 2u);
+  EXPECT_EQ(state().inventories.front()->date, date_from_civil(2020, 6, 15));
+}
+
+TEST_F(ImportTest, ADateOfASurveyThatIsNoneStaysInItsField) {
+  make_surveys();
+  drop({folder_ / "2018.csv", folder_ / "2023.csv"});
+  ASSERT_EQ(state().inventories.size(), 2u);
+  ASSERT_TRUE(window().fill("details/date", "2023-13-45"));
+  window().settle();
+  EXPECT_TRUE(window().has("details/date/refused"));
+  const InventoryId first = model().view.selected_inventory;
+  model().execute(set_title("something else"));
+  window().settle();
+  EXPECT_EQ(window().value("details/date"), "2023-13-45");
+  model().view.selected_inventory = state().inventories[state().inventories[0]->id == first ? 1 : 0]->id;
+  window().settle();
+  EXPECT_FALSE(window().has("details/date/refused"));
+  model().view.selected_inventory = first;
+  window().settle();
+  EXPECT_EQ(window().value("details/date"), "2023-13-45");
+  EXPECT_TRUE(window().has("details/date/refused"));
+  ASSERT_TRUE(window().fill("details/date", "2023-12-24"));
+  window().settle();
+  EXPECT_FALSE(window().has("details/date/refused"));
+  EXPECT_EQ(state().find(first)->date, date_from_civil(2023, 12, 24));
+}
+
+TEST_F(ImportTest, ACancelledImportThatWasEditedCanBeHadBack) {
+  drop({write_plain("plain.csv")});
+  ASSERT_TRUE(is_open());
+  window().press({ui::Key::escape});
+  window().settle();
+  EXPECT_TRUE(model().notices.all().empty());  // nothing to lose
+  drop({folder_ / "plain.csv"});
+  ASSERT_TRUE(choose("import/unit/dbh", "inch"));
+  ASSERT_TRUE(window().fill("import/name", "mine"));
+  ASSERT_TRUE(window().click("import/unit/dbh"));
+  window().frames(2);
+  window().press({ui::Key::escape});  // closes the list only
+  window().settle();
+  ASSERT_TRUE(is_open());
+  window().press({ui::Key::escape});
+  window().settle();
+  ASSERT_FALSE(is_open());
+  ASSERT_FALSE(model().notices.all().empty());
+  const ui::Notice notice = model().notices.all().front();
+  EXPECT_EQ(notice.title, "Import cancelled");
+  ASSERT_TRUE(window().click("toast/choice/" + std::to_string(notice.id) + "/Bring it back"));
+  window().settle();
+  ASSERT_TRUE(is_open());
+  EXPECT_EQ(window().value("import/unit/dbh"), "inch");
+  EXPECT_EQ(window().value("import/name"), "mine");
+  ASSERT_TRUE(window().click("import/add"));
+  window().settle();
+  ASSERT_EQ(state().inventories.size(), 1u);
+  EXPECT_EQ(state().inventories.front()->name, "mine");
+}
+
+TEST_F(ImportTest, QuittingFromInsideTheDialogWorksAndAsksForWhatWasEdited) {
+  drop({write_plain("plain.csv")});
+  ASSERT_TRUE(choose("import/unit/dbh", "inch"));
+  window().press(ui::ActionId::file_quit);
+  window().frames(2);
+  ASSERT_EQ(model().view.dialog, ui::Dialog::question);
+  ASSERT_TRUE(window().click("question/no"));
+  window().settle();
+  ASSERT_TRUE(is_open());
+  EXPECT_EQ(window().value("import/unit/dbh"), "inch");
+  EXPECT_FALSE(model().wants_close);
+  window().desk().ask_to_close();  // as the window's own button
+  window().frames(4);
+  ASSERT_TRUE(window().click("question/yes"));
+  window().frames(2);
+  EXPECT_TRUE(model().wants_close);
+}
+
 }  // namespace
 }  // namespace stemwise
