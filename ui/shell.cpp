@@ -157,7 +157,7 @@ void Shell::draw(Frame& frame) {
   if (std::exchange(impl_->leaves_field, false)) ImGui::ClearActiveID();
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyPressed(258)) w.focus.move(!io.KeyShift);
-  if (frame.view.dialog == Dialog::none) impl_->keys.run(frame.available, frame.requests);
+  impl_->keys.run(frame.available, frame.requests, frame.view.dialog != Dialog::none);
   const bool plain = !ImGui::GetIO().KeyShift;  // with Shift, Escape cancels a job
   if (frame.view.dialog == Dialog::none && plain && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     frame.view.tool = Tool::select;
@@ -260,6 +260,7 @@ void Shell::Impl::draw_right(Frame& frame, const Rect& rect) {
 }
 
 void Shell::Impl::draw_dialogs(Frame& frame) {
+  if (frame.view.dialog != browsing) browsing = Dialog::none;
   switch (frame.view.dialog) {
     case Dialog::none:
       // A modal popup that nobody draws any more would go on blocking the mouse.
@@ -276,7 +277,7 @@ void Shell::Impl::draw_dialogs(Frame& frame) {
     case Dialog::question: draw_question(widgets, frame); break;
     default:
       if (!files.is_open() || browsing != frame.view.dialog) start_browsing(frame);
-      if (const auto paths = files.draw(widgets, frame.status.home_folder, frame.status.places)) finish_browsing(frame, *paths);
+      if (const auto paths = files.draw(widgets)) finish_browsing(frame, *paths);
       if (!files.is_open()) frame.view.dialog = Dialog::none;
       break;
   }
@@ -301,7 +302,7 @@ void Shell::Impl::start_browsing(Frame& frame) {
     default: mode = {"Write the report to", "Choose", {".html", ".pdf", ".csv", ".xlsx"}, true, false, title + "-growth.html"}; break;
   }
   const std::string folder = mode.save ? frame.status.project_folder : frame.status.working_folder;
-  files.open(std::move(mode), folder);
+  files.open(std::move(mode), folder, frame.status.home_folder, frame.status.places);
 }
 
 void Shell::Impl::finish_browsing(Frame& frame, const std::vector<std::string>& paths) {

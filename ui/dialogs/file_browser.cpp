@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "ui/dialogs/modal.hpp"
 #include "ui/text/format.hpp"
@@ -32,10 +33,11 @@ std::string size_text(std::uintmax_t bytes) {
 
 }  // namespace
 
-void FileBrowser::open(FileBrowserMode mode, const std::string& folder) {
+void FileBrowser::open(FileBrowserMode mode, const std::string& folder, const std::string& home, const std::vector<std::string>& places) {
   mode_ = std::move(mode);
   name_ = mode_.name;
-  open_ = true;
+  open_ = is_new_ = true;
+  find_places(home, places);
   accepted_ = false;
   std::error_code error;
   list(fs::is_directory(folder, error) ? folder : fs::current_path(error).string());
@@ -69,13 +71,14 @@ void FileBrowser::list(const std::string& folder) {
   selected_.clear();
 }
 
-std::optional<std::vector<std::string>> FileBrowser::draw(Widgets& w, const std::string& home, const std::vector<std::string>& places) {
+std::optional<std::vector<std::string>> FileBrowser::draw(Widgets& w) {
   if (!open_) return std::nullopt;
   const Modal modal(w, mode_.title.c_str(), 820.0f, 560.0f, open_);
   if (!modal) return std::nullopt;
+  if (std::exchange(is_new_, false)) w.focus.go_to(mode_.save ? "files/name" : "files/path");
   draw_path(w);
   const float height = ImGui::GetContentRegionAvail().y - w.px(mode_.save ? 92 : 50) - (problem_.empty() ? 0.0f : w.px(24));
-  draw_places(w, home, places, height);
+  draw_places(w, height);
   ImGui::SameLine(0, w.px(12));
   draw_entries(w, height);
   if (!problem_.empty()) w.text(problem_, TextRole::table, Tone::warning);
@@ -93,14 +96,14 @@ void FileBrowser::draw_path(Widgets& w) {
   std::error_code error;
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) {
     go_to_typed_path();
-  } else if (edited && fs::is_directory(typed_, error)) {
-    list(typed_);  // left by Tab or the mouse
+  } else if (edited && fs::is_directory(fs::path(folder_) / typed_, error)) {
+    list((fs::path(folder_) / typed_).string());  // left by Tab or the mouse
   }
 }
 
 void FileBrowser::go_to_typed_path() {
   std::error_code error;
-  const fs::path path(typed_);
+  const fs::path path = fs::path(folder_) / typed_;  // a whole path, or one from the folder that is shown
   if (fs::is_directory(path, error)) {
     list(path.string());
   } else if (mode_.save && fs::is_directory(path.parent_path(), error)) {
@@ -115,24 +118,33 @@ void FileBrowser::go_to_typed_path() {
   }
 }
 
-void FileBrowser::draw_places(Widgets& w, const std::string& home, const std::vector<std::string>& places, float height) {
-  ImGui::BeginChild("places", {w.px(168), height});
-  const auto place = [&](const std::string& path, const char* label, const char* mark) {
-    if (path.empty()) return;
-    const Rect row = w.next_rect(w.available_width(), w.px(28));
-    if (w.area(std::string("files/place/") + label, row, path)) list(path);
-    if (ImGui::IsItemHovered()) w.tooltip(path);
-    w.text_in({row.x + w.px(8), row.y, w.px(18), row.height}, mark, TextRole::body, Tone::secondary);
-    w.text_in({row.x + w.px(30), row.y, row.width - w.px(34), row.height}, label, TextRole::body, path == folder_ ? Tone::accent : Tone::text);
+void FileBrowser::find_places(const std::string& home, const std::vector<std::string>& places) {
+  places_.clear();
+  std::set<fs::path> known;
+  const auto add = [&](const std::string& path, const std::string& label, const char* mark) {
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(path, error);
+    if (!path.empty() && known.insert(canonical.has_filename() ? canonical : canonical.parent_path()).second) places_.push_back({path, label, mark});
   };
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  place(home, "Home", icon::home);
+  known.insert("/");  // is last in the list
+  add(home, "Home", icon::home);
   for (const std::string& path : places) {
-    if (path == home || path == "/") continue;
-    const std::string label = fs::path(path).filename().string();
-    place(path, label.empty() ? "/" : label.c_str(), icon::folder);
+    const fs::path folder = fs::path(path).has_filename() ? fs::path(path) : fs::path(path).parent_path();
+    add(path, folder.filename().string(), icon::folder);
   }
-  place("/", "Computer", icon::folder);
+  places_.push_back({"/", "Computer", icon::folder});
+}
+
+void FileBrowser::draw_places(Widgets& w, float height) {
+  ImGui::BeginChild("places", {w.px(168), height});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  for (const Place& place : places_) {
+    const Rect row = w.next_rect(w.available_width(), w.px(28));
+    if (w.area("files/place/" + place.label, row, place.path)) list(place.path);
+    if (ImGui::IsItemHovered()) w.tooltip(place.path);
+    w.text_in({row.x + w.px(8), row.y, w.px(18), row.height}, place.icon, TextRole::body, Tone::secondary);
+    w.text_in({row.x + w.px(30), row.y, row.width - w.px(34), row.height}, place.label, TextRole::body, place.path == folder_ ? Tone::accent : Tone::text);
+  }
   ImGui::PopStyleVar();
   ImGui::EndChild();
 }
@@ -209,6 +221,7 @@ std::optional<std::vector<std::string>> FileBrowser::draw_buttons(Widgets& w) {
   std::error_code error;
   if (mode_.save) {
     w.input("files/name", name_, {.hint = "File name"});
+    if (ImGui::IsItemDeactivated() && !name_.empty() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) accepted_ = true;
     const bool there = !name_.empty() && fs::exists(fs::path(folder_) / name_, error);
     w.text(there ? name_ + " exists and will be replaced" : "", TextRole::caption, Tone::warning);
     ImGui::SameLine();

@@ -20,10 +20,11 @@ struct FileBrowserMode {
 /// A file dialog in the window itself: the same on every desktop.
 class FileBrowser {
  public:
-  void open(FileBrowserMode mode, const std::string& folder);
+  /// The field for the path has the keyboard, when a file is to be named the one for its name. `places`: folders to go to by a click.
+  void open(FileBrowserMode mode, const std::string& folder, const std::string& home, const std::vector<std::string>& places);
   bool is_open() const { return open_; }
   /// Draws it while open. The paths when the person accepts.
-  std::optional<std::vector<std::string>> draw(Widgets& w, const std::string& home, const std::vector<std::string>& places);
+  std::optional<std::vector<std::string>> draw(Widgets& w);
 
  private:
   struct Entry {
@@ -32,9 +33,14 @@ class FileBrowser {
     bool frames = false;  ///< a folder that is an inventory
     std::uintmax_t bytes = 0;
   };
+  struct Place {
+    std::string path, label;
+    const char* icon;
+  };
   void list(const std::string& folder);
   void draw_path(Widgets& w);
-  void draw_places(Widgets& w, const std::string& home, const std::vector<std::string>& places, float height);
+  void find_places(const std::string& home, const std::vector<std::string>& places);
+  void draw_places(Widgets& w, float height);
   void draw_entries(Widgets& w, float height);
   void draw_entry(Widgets& w, const Entry& entry, std::size_t row);
   void choose(const Entry& entry, bool add);
@@ -45,11 +51,13 @@ class FileBrowser {
 
   FileBrowserMode mode_;
   bool open_ = false;
+  bool is_new_ = false;    ///< not drawn yet
   bool accepted_ = false;  ///< by a double click
   std::string folder_;
   std::string typed_;
   std::string name_;
   std::string problem_;
+  std::vector<Place> places_;
   std::vector<Entry> entries_;
   std::set<std::string> selected_;
 };

@@ -13,6 +13,7 @@ class FocusOrder {
   /// then written in at once.
   void visit(const std::string& path, bool is_text);
   void move(bool forward);
+  void go_to(const std::string& path) { wanted_ = path; }  ///< when it is drawn next
   const std::string& focused() const { return focused_; }  ///< of the last frame; "" for none
 
  private:

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/platform/folders.hpp"
+#include "app/window/requests.hpp"
 #include "tests/app/window/window_fixture.hpp"
 #include "ui/frame.hpp"
 
@@ -92,9 +93,12 @@ TEST_F(WindowTest, ThrowingUnsavedWorkAwayAsksAndCanBeTakenBack) {
   fs::create_directories(folder_ / "config2");
   fs::copy(kept, folder_ / "config2" / "autosave");
   window_.reset();
-  const auto count = [&] { return std::distance(fs::directory_iterator(folder_ / "config2" / "autosave"), fs::directory_iterator()); };
+  const auto count = [&] {
+    const auto is_kept = [](const auto& entry) { return entry.path().extension() != ".lock"; };
+    return std::count_if(fs::directory_iterator(folder_ / "config2" / "autosave"), fs::directory_iterator(), is_kept);
+  };
   for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
-    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": "", "title": "Stand", "time": "2026-11-22T05:00:30Z", "process": 2147483000})";
+    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": "", "title": "Stand", "time": "2026-11-22T05:00:30Z"})";
   }
   const auto before = count();
   auto again = HeadlessWindow::create({.desk = {.paths = {}, .config_folder = (folder_ / "config2").string()}});
@@ -114,6 +118,59 @@ TEST_F(WindowTest, ThrowingUnsavedWorkAwayAsksAndCanBeTakenBack) {
   ASSERT_TRUE(window().click("question/yes"));
   window().frames(3);
   EXPECT_EQ(count(), 0);
+}
+
+TEST_F(WindowTest, QuitWorksWhileADialogIsOpenAndSavesFirstWhereThatIsNeeded) {
+  for (const ui::ActionId opens : {ui::ActionId::help_palette, ui::ActionId::file_open, ui::ActionId::help_about}) {
+    run_action(model(), opens);
+    window().frames(3);
+    ASSERT_NE(model().view.dialog, ui::Dialog::none);
+    window().press(ui::ActionId::file_quit);
+    window().frames(3);
+    EXPECT_TRUE(model().wants_close);
+    EXPECT_EQ(model().view.dialog, ui::Dialog::none);
+    model().wants_close = false;
+  }
+  open_surveys();
+  window().press(ui::ActionId::help_palette);
+  window().frames(2);
+  window().press(ui::ActionId::file_quit);
+  window().frames(3);
+  EXPECT_FALSE(model().wants_close);
+  EXPECT_EQ(model().view.dialog, ui::Dialog::leave);
+  window().press(ui::ActionId::file_quit);
+  window().frames(3);
+  EXPECT_EQ(model().view.dialog, ui::Dialog::leave);
+  ASSERT_TRUE(window().click("leave/discard"));
+  window().frames(2);
+  EXPECT_TRUE(model().wants_close);
+}
+
+TEST_F(WindowTest, TheFileDialogTakesAPathAtOnceAndNamesAFolderOnce) {
+  make_surveys();
+  model().status.home_folder = folder_.string();
+  fs::create_directory_symlink(folder_, folder_ / "again");
+  model().preferences.working_folder = (folder_ / "again").string() + "/";
+  window().press(ui::ActionId::file_add);
+  window().frames(4);
+  EXPECT_EQ(window().desk().focused(), "files/path");
+  int places = 0;
+  for (const auto& [path, entry] : window().desk().registry().entries()) places += path.starts_with("files/place/") ? 1 : 0;
+  EXPECT_EQ(places, 2);  // Home and Computer
+  window().press({ui::key('A'), true});
+  window().type((folder_ / "2018.csv").string());
+  window().press({ui::Key::enter});
+  window().settle();
+  EXPECT_EQ(state().inventories.size(), 1u);
+  window().press(ui::ActionId::file_save_as);
+  window().frames(4);
+  EXPECT_EQ(window().desk().focused(), "files/name");
+  window().press({ui::key('A'), true});
+  window().type("stand");
+  window().press({ui::Key::enter});
+  window().settle();
+  EXPECT_TRUE(fs::exists(folder_ / "stand.gpkg"));
+  EXPECT_EQ(model().view.dialog, ui::Dialog::none);
 }
 
 }  // namespace
