@@ -161,9 +161,12 @@ void save_as(WindowModel& m, const std::string& given) {
   const std::string path = fs::absolute(fs::path(given).extension() == ".gpkg" ? given : given + ".gpkg", code).lexically_normal().string();
   remember_folder(m, path);
   if (names_same_file(path, m.document.path())) return start_save(m, path, m.document.stamp());
-  if (!is_open_elsewhere(m.autosave_file, path)) return start_save(m, path, std::nullopt);
+  const bool is_open = is_open_elsewhere(m.autosave_file, path);
+  if (!is_open && !fs::exists(path, code)) return start_save(m, path, std::nullopt);
   const std::string name = file_name(path);
-  ask(m, {"Replace " + name + "?", name + " is a project that is open in another window. What was saved there will be lost.", "Replace it", "Keep the old one", ""},
+  const std::string what = is_open ? " is a project that is open in another window. What was saved there will be lost."
+                                   : " is in " + fs::path(path).parent_path().string() + " already. It is another project, and will be lost.";
+  ask(m, {"Replace " + name + "?", name + what, "Replace it", "Keep the old one", ""},
       {.yes = [&m, path] { start_save(m, path, std::nullopt); }, .no = [&m] { m.leaves_after_saving = false; }});
 }
 

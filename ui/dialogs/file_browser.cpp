@@ -204,8 +204,15 @@ void FileBrowser::choose(const Entry& entry, bool add) {
   if (mode_.save && !entry.folder) name_ = entry.name;
 }
 
+/// As it will be written: a name without a suffix that fits gets the first one.
+std::string FileBrowser::file_name() const {
+  const std::string suffix = fs::path(name_).extension().string();
+  const bool fits = mode_.suffixes.empty() || std::find(mode_.suffixes.begin(), mode_.suffixes.end(), suffix) != mode_.suffixes.end();
+  return name_.empty() || fits ? name_ : name_ + mode_.suffixes.front();
+}
+
 std::vector<std::string> FileBrowser::chosen() const {
-  if (mode_.save) return {(fs::path(folder_) / name_).string()};
+  if (mode_.save) return {(fs::path(folder_) / file_name()).string()};
   std::vector<std::string> paths;
   for (const std::string& name : selected_) paths.push_back((fs::path(folder_) / name).string());
   return paths;
@@ -222,8 +229,10 @@ std::optional<std::vector<std::string>> FileBrowser::draw_buttons(Widgets& w) {
   if (mode_.save) {
     w.input("files/name", name_, {.hint = "File name"});
     if (ImGui::IsItemDeactivated() && !name_.empty() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) accepted_ = true;
-    const bool there = !name_.empty() && fs::exists(fs::path(folder_) / name_, error);
-    w.text(there ? name_ + " exists and will be replaced" : "", TextRole::caption, Tone::warning);
+    const bool there = !name_.empty() && fs::exists(fs::path(folder_) / file_name(), error);
+    const std::string words = there ? file_name() + " is there already" : file_name() == name_ ? "" : "as " + file_name();
+    w.text(words, TextRole::caption, there ? Tone::warning : Tone::secondary);
+    w.record_last("files/as", words);
     ImGui::SameLine();
   }
   const float width = w.px(132);

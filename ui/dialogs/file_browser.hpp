@@ -46,6 +46,7 @@ class FileBrowser {
   void choose(const Entry& entry, bool add);
   std::optional<std::vector<std::string>> draw_buttons(Widgets& w);
   std::string why_not() const;
+  std::string file_name() const;
   std::vector<std::string> chosen() const;
   void go_to_typed_path();
 

@@ -4,6 +4,7 @@
 
 #include "app/platform/folders.hpp"
 #include "app/window/requests.hpp"
+#include "io/project_file.hpp"
 #include "tests/app/window/window_fixture.hpp"
 #include "ui/frame.hpp"
 
@@ -171,6 +172,29 @@ TEST_F(WindowTest, TheFileDialogTakesAPathAtOnceAndNamesAFolderOnce) {
   window().settle();
   EXPECT_TRUE(fs::exists(folder_ / "stand.gpkg"));
   EXPECT_EQ(model().view.dialog, ui::Dialog::none);
+}
+
+TEST_F(WindowTest, SavingUnderANameThatAnotherProjectHasAsksAlsoWhenTheSuffixWasNotTyped) {
+  open_surveys();
+  ASSERT_TRUE(write_project(ProjectState{}, (folder_ / "victim.gpkg").string()));
+  const auto before = fs::last_write_time(folder_ / "victim.gpkg");
+  window().press(ui::ActionId::file_save_as);
+  window().frames(3);
+  ASSERT_TRUE(window().fill("files/name", "victim"));
+  window().frames(2);
+  EXPECT_EQ(window().value("files/as"), "victim.gpkg is there already");
+  ASSERT_TRUE(window().click("files/accept"));
+  window().settle();
+  ASSERT_EQ(model().view.dialog, ui::Dialog::question);
+  ASSERT_TRUE(window().click("question/no"));
+  window().settle();
+  EXPECT_EQ(fs::last_write_time(folder_ / "victim.gpkg"), before);
+  EXPECT_TRUE(model().document.path().empty());
+  save_as(model(), (folder_ / "victim.gpkg").string());
+  window().frames(3);
+  ASSERT_TRUE(window().click("question/yes"));
+  window().settle();
+  EXPECT_EQ(read_project((folder_ / "victim.gpkg").string()).value, state());
 }
 
 }  // namespace
