@@ -56,6 +56,7 @@ struct Desk::Parts {
   ui::Shell shell;
   std::unique_ptr<Autosave> autosave;
   FileWatch watch;
+  std::vector<std::string> recent_kept;  ///< of the preferences' file: a window that dies does not forget what was open
   std::string config_folder;
   double now_s = 0.0;
   bool moving = false;
@@ -68,6 +69,7 @@ Desk::Desk(const DeskOptions& options) : model_(std::make_unique<WindowModel>())
   WindowModel& m = *model_;
   if (!options.config_folder.empty()) {
     m.preferences = read_preferences(preferences_file(options.config_folder));
+    parts_->recent_kept = m.preferences.recent_projects;
     m.autosave_folder = options.config_folder + "/autosave";
     parts_->autosave = std::make_unique<Autosave>(m.autosave_folder);
     m.autosave_file = parts_->autosave->file();
@@ -129,6 +131,10 @@ void Desk::poll(double elapsed_s) {
   if (m.jobs.poll()) parts_->busy_frames = 3;
   if (parts_->autosave) parts_->autosave->tend(m);
   parts_->watch.tend(m, elapsed_s);
+  if (!parts_->config_folder.empty() && parts_->recent_kept != m.preferences.recent_projects) {
+    parts_->recent_kept = m.preferences.recent_projects;
+    write_preferences(preferences_file(parts_->config_folder), m.preferences);
+  }
   tend_underlays(m);
 }
 
