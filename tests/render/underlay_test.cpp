@@ -63,6 +63,13 @@ class Underlays : public ::testing::Test {
     viewport_->render(size, 1.0);
     return viewport_->image();
   }
+  /// Drawn, compared with the picture of this name, and kept for people who want to look.
+  Image golden(const ViewOptions& options, const std::string& name) {
+    Image image = draw(options);
+    test::show(image, name);
+    test::expect_golden(image, name);
+    return image;
+  }
   /// Mean colour around a place of the map.
   static Eigen::Vector3d colour_at(const Image& image, double share_x, double share_y) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -86,9 +93,7 @@ TEST_F(Underlays, APictureLiesUnderTheStemsOfTheMapAsStrongAsItsOpacity) {
   ViewOptions o = options(ViewKind::map);
   const Image without = draw(o);
   o.underlays = {{.raster = two_colours(low_m_, high_m_)}};
-  const Image full = draw(o);
-  test::show(full, "map_underlay");
-  test::expect_golden(full, "map_underlay");
+  const Image full = golden(o, "map_underlay");
   EXPECT_GT(colour_at(full, 0.25, 0.6).x(), colour_at(full, 0.25, 0.6).z() + 100.0);
   EXPECT_GT(colour_at(full, 0.75, 0.6).z(), colour_at(full, 0.75, 0.6).x() + 100.0);
   o.underlays[0].opacity = 0.3;
@@ -103,9 +108,7 @@ TEST_F(Underlays, APictureLiesOnTheGroundIn3D) {
   ViewOptions o = options(ViewKind::space);
   const Image without = draw(o);
   o.underlays = {{.raster = two_colours(low_m_, high_m_)}};
-  const Image with = draw(o);
-  test::show(with, "space_underlay");
-  test::expect_golden(with, "space_underlay");
+  const Image with = golden(o, "space_underlay");
   EXPECT_GT(test::difference(with, without), 0.07);
 }
 
@@ -113,9 +116,7 @@ TEST_F(Underlays, ACloudStandsOnTheStemsGroundAndItsHeightsAreClipped) {
   ViewOptions o = options(ViewKind::space);
   const Image without = draw(o);
   o.underlays = {{.cloud = two_storeys(low_m_, high_m_)}};
-  const Image with = draw(o);
-  test::show(with, "space_cloud");
-  test::expect_golden(with, "space_cloud");
+  const Image with = golden(o, "space_cloud");
   EXPECT_GT(test::difference(with, without), 0.12);  // 50 m higher it would be out of sight
   o.underlays[0].high_m = 5.0;
   const Image low = draw(o);
@@ -129,9 +130,7 @@ TEST_F(Underlays, ACloudIsDrawnOnTheMapByHeightOrIntensity) {
   ViewOptions o = options(ViewKind::map);
   const Image without = draw(o);
   o.underlays = {{.cloud = two_storeys(low_m_, high_m_)}};
-  const Image by_height = draw(o);
-  test::show(by_height, "map_cloud");
-  test::expect_golden(by_height, "map_cloud");
+  const Image by_height = golden(o, "map_cloud");
   EXPECT_GT(test::difference(by_height, without), 0.18);
   o.underlays[0].shade = CloudShade::intensity;
   EXPECT_GT(test::difference(draw(o), by_height), 0.05);

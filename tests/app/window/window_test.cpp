@@ -88,23 +88,30 @@ TEST_F(WindowTest, SavedAndOpenedAgainTheProjectIsTheSame) {
   EXPECT_EQ(state(), saved);
 }
 
-TEST_F(WindowTest, UnsavedWorkSurvivesACrash) {
+class CrashTest : public WindowTest {
+ protected:
+  /// As after a crash: the copy is there, its program is not. Another window begins, with these files.
+  void crash_and_begin_again(const std::string& path_of_project, std::vector<std::string> opens) {
+    const fs::path kept = folder_ / "config" / "autosave", copy = folder_ / "config2" / "autosave";
+    ASSERT_FALSE(fs::is_empty(kept));
+    fs::copy(kept, folder_ / "copy");
+    window_.reset();
+    fs::create_directories(copy.parent_path());
+    fs::copy(folder_ / "copy", copy);
+    for (const auto& entry : fs::directory_iterator(copy)) {
+      if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": ")" << path_of_project << R"(", "title": "Stand", "time": ""})";
+    }
+    auto again = HeadlessWindow::create({.desk = {.paths = std::move(opens), .config_folder = (folder_ / "config2").string()}});
+    ASSERT_TRUE(again);
+    window_ = std::move(*again);
+  }
+};
+
+TEST_F(CrashTest, UnsavedWorkSurvivesACrash) {
   open_surveys();
   window().settle();
   const ProjectState before = state();
-  const fs::path kept = folder_ / "config" / "autosave";
-  ASSERT_FALSE(fs::is_empty(kept));
-  // As after a crash: the copy is there, its program is not.
-  fs::copy(kept, folder_ / "copy");
-  window_.reset();
-  fs::create_directories(folder_ / "config2");
-  fs::copy(folder_ / "copy", folder_ / "config2" / "autosave");
-  for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
-    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": "", "title": "Stand", "time": ""})";
-  }
-  auto again = HeadlessWindow::create({.desk = {.paths = {}, .config_folder = (folder_ / "config2").string()}});
-  ASSERT_TRUE(again);
-  window_ = std::move(*again);
+  crash_and_begin_again("", {});
   window().frames(3);
   ASSERT_TRUE(window().click("recover/yes"));
   window().settle();
@@ -112,7 +119,7 @@ TEST_F(WindowTest, UnsavedWorkSurvivesACrash) {
   EXPECT_TRUE(model().document.is_dirty());
 }
 
-TEST_F(WindowTest, UnsavedWorkOfAProjectIsOfferedWhenThatProjectIsOpened) {
+TEST_F(CrashTest, UnsavedWorkOfAProjectIsOfferedWhenThatProjectIsOpened) {
   open_surveys();
   const std::string path = (folder_ / "stand.gpkg").string();
   window().desk().model().document.set_path(path);
@@ -121,20 +128,9 @@ TEST_F(WindowTest, UnsavedWorkOfAProjectIsOfferedWhenThatProjectIsOpened) {
   model().execute(set_title("changed since"));
   window().settle();
   const ProjectState before = state();
-  const fs::path kept = folder_ / "config" / "autosave";
-  ASSERT_FALSE(fs::is_empty(kept));
-  fs::copy(kept, folder_ / "copy");
-  window_.reset();
-  fs::create_directories(folder_ / "config2");
-  fs::copy(folder_ / "copy", folder_ / "config2" / "autosave");
-  for (const auto& entry : fs::directory_iterator(folder_ / "config2" / "autosave")) {
-    if (entry.path().extension() == ".json") std::ofstream(entry.path()) << R"({"path": ")" << path << R"(", "title": "Stand", "time": ""})";
-  }
   const fs::path here = fs::current_path();
   fs::current_path(folder_);
-  auto again = HeadlessWindow::create({.desk = {.paths = {"stand.gpkg"}, .config_folder = (folder_ / "config2").string()}});
-  ASSERT_TRUE(again);
-  window_ = std::move(*again);
+  crash_and_begin_again(path, {"stand.gpkg"});
   fs::current_path(here);
   window().settle();
   EXPECT_EQ(model().document.path(), path);
