@@ -106,7 +106,6 @@ struct Shell::Impl {
   bool leaves_field = false;
   bool enter_was_typed = false;    ///< the Enter key that is down belongs to a text field
 
-  void take_keys_from_imgui();
   void draw_body(Frame& frame, const Layout& l);
   void begin_side(const char* name, const Rect& rect);
   static void end_side();
@@ -129,7 +128,6 @@ bool Shell::prepare(const ViewState& view, float scale) {
   const bool new_fonts = !impl_->prepared || impl_->widgets.fonts.scale() != wanted.scale;
   if (new_fonts) impl_->widgets.fonts.load(wanted.scale);
   if (new_fonts || !(wanted == impl_->applied)) apply_style(wanted);
-  impl_->take_keys_from_imgui();
   impl_->widgets.theme = impl_->applied = wanted;
   impl_->prepared = true;
   return new_fonts;
@@ -137,17 +135,16 @@ bool Shell::prepare(const ViewState& view, float scale) {
 
 void Shell::leave_field() { impl_->leaves_field = true; }
 
-/// Before a frame: which of Dear ImGui's own keys mean something else here.
-void Shell::Impl::take_keys_from_imgui() {
+void Shell::take_keys() {
   ImGuiIO& io = ImGui::GetIO();
   io.KeyMap[ImGuiKey_Tab] = -1;  // goes through all controls (FocusOrder), not only through text fields
   const bool typing = is_typing();
   io.KeyMap[ImGuiKey_Home] = typing ? static_cast<int>(Key::home) : -1;  // else it would move the focus: it shows everything
   // Enter presses what has the focus, as Space does; not with the stroke that ended a text.
   const bool enter = io.KeysDown[static_cast<int>(Key::enter)];
-  if (!enter) enter_was_typed = false;
-  else if (typing) enter_was_typed = true;
-  io.NavInputs[ImGuiNavInput_Activate] = enter && !enter_was_typed ? 1.0f : 0.0f;
+  if (!enter) impl_->enter_was_typed = false;
+  else if (typing) impl_->enter_was_typed = true;
+  io.KeyMap[ImGuiKey_Space] = static_cast<int>(enter && !impl_->enter_was_typed ? Key::enter : Key::space);
 }
 
 void Shell::draw(Frame& frame) {

@@ -16,6 +16,8 @@ class Shell {
   /// Loads fonts and sets the style where theme or scale changed. True when the font texture has to be made anew.
   /// Before ImGui::NewFrame.
   bool prepare(const ViewState& view, float scale);
+  /// Right before ImGui::NewFrame, with the frame's input in place: which of Dear ImGui's own keys mean something else here.
+  void take_keys();
   /// The text field that is being typed in is left: what stands there is answered after the next frame.
   void leave_field();
   /// Between ImGui::NewFrame and ImGui::Render.

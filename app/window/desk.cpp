@@ -111,6 +111,8 @@ bool Desk::prepare(float display_scale) {
   return parts_->shell.prepare(model_->view, model_->scale);
 }
 
+void Desk::take_keys() { parts_->shell.take_keys(); }
+
 void Desk::frame(double elapsed_s) {
   parts_->now_s += elapsed_s;
   poll(elapsed_s);

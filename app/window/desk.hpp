@@ -25,6 +25,7 @@ class Desk {
 
   /// Before ImGui::NewFrame. True when ImGui's font texture has to be made anew.
   bool prepare(float display_scale);
+  void take_keys();  ///< right before ImGui::NewFrame, with the frame's input in place
   /// Between ImGui::NewFrame and ImGui::Render. Changes framebuffer bindings and the GL viewport.
   void frame(double elapsed_s);
   /// Seconds until something moves by itself; the window may sleep so long.

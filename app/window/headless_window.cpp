@@ -82,6 +82,7 @@ void HeadlessWindow::frame() {
   }
   ImGui_ImplOpenGL3_NewFrame();
   if (io.Fonts->TexID == nullptr) ImGui_ImplOpenGL3_CreateFontsTexture();
+  p.desk->take_keys();
   ImGui::NewFrame();
   p.desk->frame(frame_s);
   ImGui::Render();

@@ -173,6 +173,7 @@ void start_frame(GLFWwindow* window, WindowEvents& events) {
   ImGui_ImplGlfw_NewFrame();  // sets the mouse to where it is now: too early while things wait that were done before
   if (mouse_told || !events.input.is_empty()) io.MousePos = mouse;
   std::copy(events.buttons.begin(), events.buttons.end(), io.MouseDown);
+  events.desk.take_keys();
   ImGui::NewFrame();
 }
 

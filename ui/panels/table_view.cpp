@@ -47,7 +47,14 @@ void apply_sorting(const TableView& table) {
   specs->SpecsDirty = false;
 }
 
-void draw_row(Widgets& w, const TableView& table, std::size_t row) {
+/// Tab goes to one row only, and on to the next control: through the rows lead the arrow keys, which select.
+std::size_t row_of_tab(const TableView& table) {
+  for (std::size_t row = 0; table.selected && row < table.rows; ++row)
+    if (table.selected(row)) return row;
+  return 0;
+}
+
+void draw_row(Widgets& w, const TableView& table, std::size_t row, std::size_t by_tab) {
   const float height = w.px(28);
   ImGui::TableNextRow(ImGuiTableRowFlags_None, height);
   ImGui::TableSetColumnIndex(0);
@@ -60,7 +67,7 @@ void draw_row(Widgets& w, const TableView& table, std::size_t row) {
                                          {0, height - 2 * pad});
   const bool reached = GImGui->NavJustMovedToId != 0 && GImGui->NavJustMovedToId == ImGui::GetItemID();  // by the arrow keys
   const std::string path = table.path + "/row/" + std::to_string(row);
-  w.record_last(path, table.cell(row, 0).text);
+  w.record_last(path, table.cell(row, 0).text, true, false, row == by_tab);
   ImGui::PopID();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     ImGui::TableSetColumnIndex(static_cast<int>(c));
@@ -101,11 +108,12 @@ void draw_table(Widgets& w, const TableView& table) {
     draw_head(w, table);
     apply_sorting(table);
     const float row_height = w.px(28);
+    const std::size_t by_tab = row_of_tab(table);
     if (table.scroll_to < table.rows) ImGui::SetScrollY(std::max(0.0f, row_height * (static_cast<float>(table.scroll_to) - 2.0f)));
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(table.rows), row_height);
     while (clipper.Step()) {
-      for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) draw_row(w, table, static_cast<std::size_t>(row));
+      for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) draw_row(w, table, static_cast<std::size_t>(row), by_tab);
     }
     ImGui::EndTable();
   }

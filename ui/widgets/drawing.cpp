@@ -31,11 +31,11 @@ Rect Widgets::next_rect(float width_px, float height_px) const {
   return {at.x, at.y, width_px, height_px};
 }
 
-void Widgets::record_last(const std::string& path, const std::string& value, bool enabled, bool is_text) {
+void Widgets::record_last(const std::string& path, const std::string& value, bool enabled, bool is_text, bool by_tab) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   registry.record(path, {{low.x, low.y, high.x - low.x, high.y - low.y}, ImGui::IsItemVisible(), enabled, value});
-  if (enabled) focus.visit(path, is_text);
+  if (enabled && by_tab) focus.visit(path, is_text);
 }
 
 void Widgets::record(const std::string& path, const Rect& rect, const std::string& value, bool enabled) {

@@ -102,7 +102,7 @@ class Widgets {
   float available_width() const;
   Rect next_rect(float width_px, float height_px) const;  ///< at the cursor
   /// Records the last ImGui item under the path.
-  void record_last(const std::string& path, const std::string& value, bool enabled = true, bool is_text = false);
+  void record_last(const std::string& path, const std::string& value, bool enabled = true, bool is_text = false, bool by_tab = true);
   void record(const std::string& path, const Rect& rect, const std::string& value, bool enabled = true);
 
  private:
