@@ -21,7 +21,7 @@ void add_decisions(const ProjectState& state, AlignHints& hints) {
   }
   for (const auto& [pair, match] : state.matches) {
     if (match.state == MatchState::automatic) continue;
-    (match.joins() ? hints.same_tree : hints.not_same).push_back({pair.first, pair.second});
+    (match.joins() ? hints.same_tree : hints.not_same).push_back({pair.first, pair.second, true});
   }
 }
 

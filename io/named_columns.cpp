@@ -14,6 +14,16 @@ NamedColumns::NamedColumns(std::string path, const Grid& grid) : path_(std::move
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char ch) { return static_cast<char>(std::tolower(ch)); });
     columns_[name] = c;
   }
+  NumberStyleVotes votes;
+  for (std::size_t r = 1; r < grid.rows.size(); ++r)
+    for (const std::string& text : grid.rows[r].cells) votes.add(text);
+  style_ = votes.decide(true);
+}
+
+std::optional<double> NamedColumns::number_of(const std::string& text) const {
+  if (!style_.decimal_comma) return parse_decimal(text);
+  const Quantity quantity = parse_quantity(text, style_);
+  return quantity.kind == Quantity::Kind::number && quantity.unit.empty() ? std::optional(quantity.value) : std::nullopt;
 }
 
 std::string NamedColumns::cell(const GridRow& row, const char* name) const {
@@ -24,7 +34,7 @@ std::string NamedColumns::cell(const GridRow& row, const char* name) const {
 std::optional<double> NamedColumns::number(const GridRow& row, const char* name, bool needed) {
   const std::string text = cell(row, name);
   if (text.empty() && !needed) return std::nullopt;
-  const std::optional<double> value = parse_decimal(text);
+  const std::optional<double> value = number_of(text);
   if (!value) bad_cell(row, name, text.empty() ? "is empty, the row is left out" : "'" + text + "' is no number, the row is left out", "");
   return value;
 }

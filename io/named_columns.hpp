@@ -5,6 +5,7 @@
 
 #include "core/base/issue.hpp"
 #include "io/grid.hpp"
+#include "io/number_style.hpp"
 
 namespace stemwise {
 
@@ -15,6 +16,8 @@ class NamedColumns {
 
   bool has(const char* name) const { return columns_.contains(name); }
   std::string cell(const GridRow& row, const char* name) const;  ///< "" where the row has none
+  /// Of a text as this table writes its numbers: with a point, or with the comma that all of it uses.
+  std::optional<double> number_of(const std::string& text) const;
   /// A number where the cell has one; an issue where it has something else, or nothing and the row needs it.
   std::optional<double> number(const GridRow& row, const char* name, bool needed);
   /// lat and lon in degrees; nothing, after an issue, where they are no position on the earth.
@@ -27,6 +30,7 @@ class NamedColumns {
  private:
   std::string path_;
   std::map<std::string, std::size_t> columns_;
+  NumberStyle style_;
   Issues issues_;
 };
 

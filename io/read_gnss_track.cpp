@@ -5,7 +5,6 @@
 #include "core/base/date.hpp"
 #include "io/delimited_text.hpp"
 #include "io/named_columns.hpp"
-#include "io/parse_decimal.hpp"
 #include "io/text_file.hpp"
 
 namespace stemwise {
@@ -13,8 +12,8 @@ namespace {
 
 using Fixes = Result<std::vector<GnssFix>>;
 
-std::optional<double> seconds_of(const std::string& text) {
-  if (const auto number = parse_decimal(text)) return number;
+std::optional<double> seconds_of(const NamedColumns& columns, const std::string& text) {
+  if (const auto number = columns.number_of(text)) return number;
   int year = 0, month = 0, day = 0, hour = 0, minute = 0;
   double second = 0.0;
   char between = 0;
@@ -25,7 +24,7 @@ std::optional<double> seconds_of(const std::string& text) {
 
 std::optional<GnssFix> read_row(const GridRow& row, NamedColumns& columns) {
   GnssFix fix;
-  const auto seconds = seconds_of(columns.cell(row, "timestamp"));
+  const auto seconds = seconds_of(columns, columns.cell(row, "timestamp"));
   if (!seconds) {
     columns.bad_cell(row, "timestamp", "'" + columns.cell(row, "timestamp") + "' is no time, the row is left out", "expected seconds, or 2023-05-04T10:15:00Z");
     return std::nullopt;

@@ -22,6 +22,8 @@ enum class RecoveryAnswer { bring_back, throw_away, not_now };
 /// What the panels ask for; `app` answers with commands, jobs and changes of the view.
 namespace request {
 struct Run { ActionId action; };
+/// Its key was pressed while it was not possible.
+struct Explain { ActionId action; std::string why_not; };
 /// `stem`: the one of its stems that is meant; none: the one that its doubt is about.
 struct SelectTree { TreeId tree; bool fly = true; StemRef stem = {}; };
 /// `ask`: show how they are understood first, also when nothing is in doubt.
@@ -92,7 +94,7 @@ struct Pointer {
 }  // namespace request
 
 using Request =
-    std::variant<request::Run, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::AddUnderlays, request::RemoveUnderlay, request::OpenProject, request::SaveProject,
+    std::variant<request::Run, request::Explain, request::SelectTree, request::AddInventories, request::ImportEdit, request::ImportFinish, request::AddUnderlays, request::RemoveUnderlay, request::OpenProject, request::SaveProject,
                  request::SetDate, request::AcceptProbable, request::SelectGroup, request::LinkStems,
                  request::RejectPair, request::AcceptPair, request::SetFate, request::SetNote, request::SetFusion,
                  request::ChooseSource, request::ChooseRules, request::ReadRules, request::SetGeoreference, request::SetDbhError, request::EstimateCoverage, request::SetSetting, request::GoToHistory, request::CancelJob, request::DismissNotice,

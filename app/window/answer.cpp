@@ -12,6 +12,7 @@ struct Answer {
   WindowModel& m;
 
   void operator()(const request::Run& r) const { run_action(m, r.action); }
+  void operator()(const request::Explain& r) const { m.notices.add(Severity::note, std::string(ui::action(r.action).label) + ": " + r.why_not); }
   void operator()(const request::SelectTree& r) const { select_tree(m, r.tree, r.fly, r.stem); }
   void operator()(const request::AddInventories& r) const { add_inventories(m, r.paths, r.ask); }
   void operator()(const request::ImportEdit& r) const { edit_import(m, r); }
@@ -74,7 +75,10 @@ struct Answer {
     if (const auto corners = m.viewport.shape().take()) finish_shape(m, *corners, r.ctrl);
     if (r.clicked && !takes_places) {
       const bool adds = r.ctrl && pick && pick->tree && m.view.tool == ui::Tool::select;
-      adds ? toggle_in_group(m, pick->tree) : pick ? click_stem(m, *pick) : select_tree(m, TreeId{}, false);
+      const bool waits_for_stem = m.view.tool == ui::Tool::link || m.view.tool == ui::Tool::swap || m.view.tool == ui::Tool::merge || m.view.tool == ui::Tool::pair;
+      if (adds) toggle_in_group(m, pick->tree);
+      else if (pick) click_stem(m, *pick);
+      else if (!waits_for_stem) select_tree(m, TreeId{}, false);
     }
     if (auto trees = m.viewport.take_selection()) {
       if (r.ctrl) trees->insert(trees->end(), m.view.group.begin(), m.view.group.end());

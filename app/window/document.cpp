@@ -24,7 +24,13 @@ void Document::mark_saved(std::uint64_t saved_revision) {
   never_saved_ = false;
 }
 
-void Document::replace(ProjectState state, std::string path, ProjectStamp stamp, bool saved) {
+std::shared_ptr<const void> Document::replace(ProjectState state, std::string path, ProjectStamp stamp, bool saved) {
+  struct Left {
+    std::unique_ptr<Project> project;
+    std::shared_ptr<const ui::Derived> derived;
+    std::shared_ptr<const ProjectState> snapshot;
+  };
+  auto left = std::make_shared<const Left>(Left{std::move(project_), derived_, std::move(snapshot_)});
   project_ = std::make_unique<Project>(std::move(state));
   ++epoch_;
   set_path(std::move(path), std::move(stamp));
@@ -34,6 +40,7 @@ void Document::replace(ProjectState state, std::string path, ProjectStamp stamp,
   empty->revision = epoch_ << 32;
   if (!is_empty()) empty->revision -= 1;
   derived_ = std::move(empty);
+  return left;
 }
 
 std::string Document::title() const {

@@ -33,8 +33,8 @@ class Document {
   /// A revision of the project that is open now, not of one before it.
   bool is_of_this_project(std::uint64_t some_revision) const { return some_revision >> 32 == epoch_; }
 
-  /// Another project takes this one's place.
-  void replace(ProjectState state, std::string path, ProjectStamp stamp, bool saved);
+  /// Another project takes this one's place. What it leaves behind: letting go of that takes as long as a frame, better not while drawing.
+  std::shared_ptr<const void> replace(ProjectState state, std::string path, ProjectStamp stamp, bool saved);
   bool is_dirty() const { return never_saved_ || project_->is_dirty(); }
   bool is_empty() const { return state().inventories.empty(); }
 

@@ -43,7 +43,8 @@ void show_fitting_step(WindowModel& m) {
 
 void take_up(WindowModel& m, ProjectState state, const std::string& path, ProjectStamp stamp, bool saved) {
   remember_underlays(m);
-  m.document.replace(std::move(state), path, std::move(stamp), saved);
+  m.jobs.start<int>("The project of before", JobLane::tables,
+                    [left = m.document.replace(std::move(state), path, std::move(stamp), saved)](const Progress&) mutable { return left.reset(), 0; }, [](int) { return JobVerdict{}; });
   begin_anew(m);
   show_fitting_step(m);
   restore_underlays(m);

@@ -180,6 +180,7 @@ ListHints swapped(const ListHints& hints) {
   if (hints.years) result.years = -*hints.years;
   if (hints.rough_pose) result.rough_pose = swapped(*hints.rough_pose);
   for (const auto& [a, b] : hints.same_tree) result.same_tree.emplace_back(b, a);
+  result.pairs_ask = hints.pairs_ask;
   for (const auto& pose : hints.proposals) result.proposals.push_back(pose.inverse());
   return result;
 }
@@ -272,8 +273,17 @@ ListAlignment align_ordered(const IndexedList& a, const IndexedList& b, const Li
   plan.log_poses = log_poses_tried(b, plan.scenes, plan.bank.size(), hints.rough_pose);
   Search search{a, b, settings, VoteSettings{settings.peaks, threads, hints.rough_pose}, plan.log_poses + settings.probable_log_ratio, {}, 0};
   ListAlignment result;
-  if (const auto by_hand = pose_by_hand(a, b, hints.same_tree, settings.noise_floor_m))
-    return judge_by_hand(search, plan, *by_hand, progress);
+  if (const auto by_hand = pose_by_hand(a, b, hints.same_tree, settings.noise_floor_m)) {
+    ListAlignment judged = judge_by_hand(search, plan, *by_hand, progress);
+    if (judged.status == AlignmentStatus::aligned || hints.pairs_ask) return judged;
+    // Decisions about trees are kept as such, but a few odd ones (a swap) do not move a list that all others hold where it is.
+    ListHints alone = hints;
+    alone.same_tree.clear();
+    ListAlignment free = align_ordered(a, b, alone, settings, threads, progress);
+    if (free.status != AlignmentStatus::aligned) return judged;
+    free.contradicted = pairs_apart(a, b, free.b_from_a, hints.same_tree);
+    return free;
+  }
   const bool settled = verify_proposals(search, plan, hints.proposals, progress.stage(0.0, 0.1));
   if (settled) plan.bank = {search.best[0].fit.dbh};  // one scene, one model: what chance and the second choice can do here
   const std::size_t scenes = search_all(search, plan, settled ? 1 : plan.scenes.size(), !settled, progress.stage(0.1, 0.6), "searching poses");

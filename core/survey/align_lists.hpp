@@ -16,6 +16,7 @@ struct ListHints {
   std::optional<double> years;          ///< from a to b
   std::optional<PoseWindow> rough_pose; ///< of a in b
   std::vector<std::pair<std::size_t, std::size_t>> same_tree;  ///< stems of a and b; two of them fix the pose
+  bool pairs_ask = false;               ///< some of them were named to say where the lists lie; else all are decisions about trees
   std::vector<PlanarPose> proposals;    ///< b from a, from elsewhere (TreeLoc++ scenes): verified like every other pose
 };
 

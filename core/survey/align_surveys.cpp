@@ -156,6 +156,7 @@ class Run {
       const bool forth = pair.a.inventory == inventories_[k]->id && pair.b.inventory == inventories_[on]->id;
       const bool back = pair.b.inventory == inventories_[k]->id && pair.a.inventory == inventories_[on]->id;
       if (!forth && !back) continue;
+      hints.pairs_ask |= !pair.decided;
       hints.same_tree.emplace_back(static_cast<std::size_t>(forth ? pair.a.index : pair.b.index), static_cast<std::size_t>(forth ? pair.b.index : pair.a.index));
     }
     for (const auto& rough : hints_.rough_poses) {
@@ -171,7 +172,7 @@ class Run {
     const auto stem = [&](std::size_t inventory, std::size_t index) { return inventories_[inventory]->name + " " + inventories_[inventory]->stems[index].source_id; };
     for (const auto& [in_k, in_on] : found.contradicted)
       result_.notes.push_back(inventories_[k]->name + ": " + stem(on, in_on) + " and " + stem(k, in_k) +
-                              " are named as the same tree, but the other named pairs lay them metres apart: look at this pair.");
+                              " are named as the same tree, but everything else lays them metres apart: look at this pair.");
   }
 
   /// Lays inventory k onto inventory `on` and takes the pose over when it is accepted, or better than what there was.
@@ -203,8 +204,7 @@ class Run {
     report.reason = accepted ? "" : found.reason;
     report.acceptance = found.acceptance;
     report.position_noise_m = found.noise_m;
-    report.second_best_pose.reset();
-    if (found.second_best) report.second_best_pose = in_reference(*found.second_best);
+    report.second_best_pose = found.second_best ? std::optional(in_reference(*found.second_best)) : std::nullopt;
     report.reference_from_inventory = found.score.matched > 0 ? in_reference(found.b_from_a) : RigidTransform{};
     partner_[k] = on;
     for (const Dof dof : {Dof::x, Dof::y, Dof::yaw}) report.observed.set(dof, accepted);

@@ -21,6 +21,7 @@ struct AlignHints {
   struct SameTree {
     StemRef a;
     StemRef b;
+    bool decided = false;  ///< in the review of an earlier run, not to help this one along
   };
   struct RoughPose {
     InventoryId inventory;

@@ -76,6 +76,13 @@ PoseFit refined(const IndexedList& a, const IndexedList& b, const std::vector<Pl
 
 }  // namespace
 
+std::vector<NamedPair> pairs_apart(const IndexedList& a, const IndexedList& b, const PlanarPose& b_from_a, const std::vector<NamedPair>& same_tree) {
+  std::vector<NamedPair> apart;
+  for (const PlacedPair& p : places_of(a, b, same_tree))
+    if (!brings_together(b_from_a, p)) apart.push_back(p.stems);
+  return apart;
+}
+
 std::optional<HandPose> pose_by_hand(const IndexedList& a, const IndexedList& b, const std::vector<NamedPair>& same_tree, double noise_floor_m) {
   const std::vector<PlacedPair> pairs = places_of(a, b, same_tree);
   const auto apart = [&](const PlacedPair& p) { return (p.a_m - pairs.front().a_m).norm() >= least_spread_m; };

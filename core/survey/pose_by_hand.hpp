@@ -22,4 +22,7 @@ struct HandPose {
 /// take them apart again. Nothing when fewer than two of the pairs have a place, or all lie at one spot (no heading).
 std::optional<HandPose> pose_by_hand(const IndexedList& a, const IndexedList& b, const std::vector<NamedPair>& same_tree, double noise_floor_m);
 
+/// Those of the pairs that a pose lays farther apart than that.
+std::vector<NamedPair> pairs_apart(const IndexedList& a, const IndexedList& b, const PlanarPose& b_from_a, const std::vector<NamedPair>& same_tree);
+
 }  // namespace stemwise

@@ -30,21 +30,24 @@ ReportTable component_table(const ReportModel& model, const StandChange& change)
   ReportTable table{"Components of change, " + span_of(model, change), "", {{"Component", false}, {"Stems"}, {std::string("Earlier ") + square_metres},
                     {std::string("Later ") + square_metres}, {std::string("Change ") + square_metres}}, {}};
   if (change.area_ha) table.columns.push_back({std::string("Change ") + square_metres + "/ha"});
-  const auto add = [&](const std::string& label, const ComponentSum& sum, bool earlier, bool later) {
+  const auto add = [&](const std::string& label, const ComponentSum& sum, bool earlier, bool later, const std::optional<double>& on_ground_sq_m) {
     std::vector<std::string> row{label, std::to_string(sum.stems), area_or_nothing(earlier, sum.earlier_sq_m), area_or_nothing(later, sum.later_sq_m), fixed(sum.growth_sq_m(), 3)};
-    if (change.area_ha) row.push_back(fixed(sum.growth_sq_m() / *change.area_ha, 3));
+    if (change.area_ha) row.push_back(on_ground_sq_m ? fixed(*on_ground_sq_m / *change.area_ha, 3) : "");
     table.rows.push_back(std::move(row));
   };
   ComponentSum all;
+  double on_ground_sq_m = 0.0;  // what stands where both surveys looked: only that is divided by their common hectares
   for (std::size_t i = 0; i < component_count; ++i) {
     const auto component = static_cast<Component>(i);
     const ComponentSum& sum = of(change.all, component);
     all.stems += sum.stems, all.earlier_sq_m += sum.earlier_sq_m, all.later_sq_m += sum.later_sq_m;
-    if (sum.stems > 0) add(component_label(component), sum, component == Component::survivor || is_loss(component), !is_loss(component));
+    const bool beyond = component == Component::not_surveyed_before || component == Component::not_surveyed_after;
+    if (!beyond) on_ground_sq_m += sum.growth_sq_m();
+    if (sum.stems > 0) add(component_label(component), sum, component == Component::survivor || is_loss(component), !is_loss(component), beyond ? std::nullopt : std::optional(sum.growth_sq_m()));
   }
-  add("Stock", all, true, true);
+  add("Stock", all, true, true, on_ground_sq_m);
   table.note = "Every living stem with a DBH is in exactly one component: the later stock is the earlier one, plus what survivors grew, plus all that came, less all that went. ";
-  table.note += change.area_ha ? "Hectares: " + fixed(*change.area_ha, 3) + " (" + change.area_source + ")." : "No area is known: nothing is said per hectare.";
+  table.note += change.area_ha ? "Hectares: " + fixed(*change.area_ha, 3) + " (" + change.area_source + "); what one survey did not look at lies elsewhere and is not divided by them." : "No area is known: nothing is said per hectare.";
   if (change.without_dbh > 0) table.note += " " + std::to_string(change.without_dbh) + " living stems lack a DBH and are in no component.";
   return table;
 }

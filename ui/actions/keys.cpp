@@ -37,7 +37,9 @@ bool is_typing() { return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->I
 
 void ActionKeys::run(const Availabilities& available, Requests& requests, bool in_dialog) {
   const auto run_one = [&](ActionId id) {
-    if (available[static_cast<std::size_t>(id)].enabled()) requests.run(id);
+    const Availability& one = available[static_cast<std::size_t>(id)];
+    if (one.enabled()) requests.run(id);
+    else requests.emit(request::Explain{id, one.why_not});
   };
   for (const ActionId id : std::exchange(waiting_, {})) run_one(id);
   const bool typing = is_typing();

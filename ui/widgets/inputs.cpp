@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <optional>
 
+#include "ui/text/number_from_text.hpp"
 #include "ui/widgets/widgets.hpp"
 
 namespace stemwise::ui {
@@ -27,21 +25,6 @@ class FieldPadding {
   FieldPadding(const FieldPadding&) = delete;
   FieldPadding& operator=(const FieldPadding&) = delete;
 };
-
-/// Letters of numbers only; a decimal comma is a decimal point.
-int only_of_numbers(ImGuiInputTextCallbackData* data) {
-  if (data->EventChar == ',') data->EventChar = '.';
-  if (data->EventChar == 0x2212) data->EventChar = '-';  // the true minus that the window itself shows
-  return data->EventChar < 128 && std::strchr("0123456789.+-eE", static_cast<int>(data->EventChar)) != nullptr ? 0 : 1;
-}
-
-/// Nothing unless the whole text is one finite number.
-std::optional<double> number_from_text(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 }  // namespace
 
@@ -150,24 +133,30 @@ bool Widgets::number(const std::string& path, double& value, const char* format,
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
   std::array<char, 64> text{};
   if (at_zero == nullptr || value != 0.0) std::snprintf(text.data(), text.size(), format, value);
-  bool changed = false;
-  if (ImGui::InputTextWithHint("##number", at_zero == nullptr ? "" : at_zero, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter, only_of_numbers)) {
+  const double before = value;
+  if (ImGui::InputTextWithHint("##number", at_zero == nullptr ? "" : at_zero, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll)) {
     const bool is_cleared = at_zero != nullptr && text.front() == '\0';
     const std::optional<double> typed = is_cleared ? std::optional(0.0) : number_from_text(text.data());
-    changed = typed.has_value();
-    if (typed) value = *typed;
-    no_number_ = typed ? "" : path;
+    value = typed.value_or(value_before_typing_);
+    refused_ = typed ? Refused{} : Refused{path, text.data()};
   }
-  const bool refused = no_number_ == path && ImGui::IsItemActive();
+  if (ImGui::IsItemActivated()) {
+    value_before_typing_ = before;
+    refused_ = {};
+  }
   record_last(path, std::to_string(value), true, true);
-  if (refused) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    outline({low.x, low.y, high.x - low.x, high.y - low.y}, tokens().warning, px(6));
-    record(path + "/refused", {low.x, low.y, high.x - low.x, high.y - low.y}, std::to_string(value));
-    tooltip_at(low.x, high.y + px(4), "This is no number. Without another one the value stays as it was.");
-  }
+  if (refused_.path == path) draw_refused(path);
   ImGui::PopID();
-  return changed;
+  return value != before;
+}
+
+/// Stays until a number is typed in this field or in another one.
+void Widgets::draw_refused(const std::string& path) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const Rect rect{low.x, low.y, high.x - low.x, high.y - low.y};
+  outline(rect, tokens().warning, px(6));
+  record(path + "/refused", rect, refused_.text);
+  tooltip_at(low.x, high.y + px(4), "\"" + refused_.text + "\" is no number: the value stays as it was.");
 }
 
 bool Widgets::slider(const std::string& path, float& value, float low, float high, const char* format, float width_px) {

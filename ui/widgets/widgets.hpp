@@ -110,7 +110,14 @@ class Widgets {
   void focus_ring(const Rect& rect);
   void place_list(const Rect& field, const std::vector<std::string>& items) const;
 
-  std::string no_number_;  ///< the number field whose text is none just now
+  void draw_refused(const std::string& path);
+
+  /// The number field whose text is none, and that text.
+  struct Refused {
+    std::string path, text;
+  };
+  Refused refused_;
+  double value_before_typing_ = 0.0;  ///< of the number field that has the keyboard
 };
 
 }  // namespace stemwise::ui

@@ -24,9 +24,20 @@ void forget_alignment(ProjectState& state) {
   std::erase_if(state.matches, [](const auto& entry) { return entry.second.state == MatchState::automatic; });
 }
 
+/// No match is between its stems any more, nor is one of them a second choice.
+void forget_matches_of(ProjectState& state, InventoryId id) {
+  std::erase_if(state.matches, [&](const auto& m) { return m.first.first.inventory == id || m.first.second.inventory == id; });
+  for (auto& entry : state.matches) {
+    Match& match = entry.second;
+    if (!match.second_choice || match.second_choice->inventory != id) continue;
+    match.second_choice.reset();
+    match.second_distance_m.reset();
+  }
+}
+
 /// A tree that has no other stem is gone; where none is left, ids begin again.
 void forget_stems_of(ProjectState& state, InventoryId id) {
-  std::erase_if(state.matches, [&](const auto& m) { return m.first.first.inventory == id || m.first.second.inventory == id; });
+  forget_matches_of(state, id);
   for (auto& [tree_id, tree] : state.trees) std::erase_if(tree.stems, [&](const StemRef& stem) { return stem.inventory == id; });
   std::erase_if(state.trees, [](const auto& entry) { return entry.second.stems.empty(); });
   state.tree_of_stem.erase(id);
@@ -104,7 +115,7 @@ CommandPtr remove_inventory(InventoryId id) {
     slot(state, id);
     if (const InventoryId next = next_reference(state, id)) change_reference(state, next);  // the others keep their places
     std::erase_if(state.inventories, [&](const auto& i) { return i->id == id; });
-    std::erase_if(state.matches, [&](const auto& m) { return m.first.first.inventory == id || m.first.second.inventory == id; });
+    forget_matches_of(state, id);
     std::erase_if(state.pairs, [&](const PairReport& p) { return p.a == id || p.b == id; });
     state.alignments.erase(id);
     state.coverages.erase(id);

@@ -1,5 +1,6 @@
 #include "app/align_job.hpp"
 #include "core/geodesy/georeference.hpp"
+#include "core/project/regroup_commands.hpp"
 #include "io/project_file.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/app/window/window_fixture.hpp"
@@ -132,6 +133,35 @@ TEST_F(WindowTest, AnotherReferenceKeepsPlacesDecisionsAndTreesAlsoWhenAllIsAlig
     same += now != state().trees.end() && now->second.stems == record.stems ? 1 : 0;
   }
   EXPECT_GE(same, as_it_was.trees.size() * 97 / 100);
+}
+
+TEST_F(WindowTest, ASwapOfDistantStemsIsKeptByALaterRunAndMovesNoSurvey) {
+  open_surveys(400, {2015, 2019, 2023});
+  align();
+  const Tables& tables = model().document.derived().tables;
+  const auto seen_by_all = [](const TreeRow& tree) { return tree.times_seen == 3; };
+  const auto first = std::find_if(tables.trees.begin(), tables.trees.end(), seen_by_all);
+  const auto second = std::find_if(first + 1, tables.trees.end(), [&](const TreeRow& tree) {
+    const double apart_m = (tree.position_m - first->position_m).head<2>().norm();
+    return seen_by_all(tree) && apart_m > 3.0 && apart_m < 12.0;
+  });
+  ASSERT_NE(second, tables.trees.end());
+  const TreeId one = first->tree, other = second->tree;
+  const std::vector<InventoryId> order = state().by_date();
+  const auto stem_in = [&](TreeId tree, InventoryId inventory) {
+    for (const StemRef& stem : state().trees.at(tree).stems)
+      if (stem.inventory == inventory) return stem;
+    return StemRef{};
+  };
+  const StemRef a = stem_in(one, order[1]), b = stem_in(other, order[1]);
+  model().execute(swap_stems(a, b, {"Ada", "2026-11-22T10:00:00Z", ""}));
+  window().settle();
+  const std::size_t matches = state().matches.size();
+  align();
+  for (const InventoryId id : order) EXPECT_TRUE(state().is_placed(id)) << state().alignments.at(id).reason;
+  EXPECT_EQ(state().tree_of(a), other);
+  EXPECT_EQ(state().tree_of(b), one);
+  EXPECT_GE(state().matches.size(), matches * 95 / 100);
 }
 
 }  // namespace

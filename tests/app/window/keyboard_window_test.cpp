@@ -168,15 +168,28 @@ TEST_F(WindowTest, ANumberFieldTakesADecimalCommaAndKeepsItsValueWhileTheTextIsN
   window().settle();
   ASSERT_TRUE(window().fill("report/area", "1,5"));
   EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1.5);
-  ASSERT_TRUE(window().click("report/area"));
-  window().press({ui::key('A'), true});
-  window().type("1.37,5");
+  ASSERT_TRUE(window().fill("report/area", "1.234,5"));
+  EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1234.5);
+  for (const char* text : {"1.37,5", "12,,5", "1'5", "abc"}) {
+    ASSERT_TRUE(window().fill("report/area", text));
+    window().frames(2);
+    EXPECT_EQ(window().value("report/area/refused"), text);  // also after the field was left
+    EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1234.5) << text;
+  }
+  ASSERT_TRUE(window().fill("report/area", "2"));
   window().frames(2);
-  EXPECT_TRUE(window().desk().registry().find("report/area/refused") != nullptr);
-  EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1.5);
-  window().press({ui::Key::escape});  // as before the typing
+  EXPECT_EQ(window().desk().registry().find("report/area/refused"), nullptr);
+}
+
+TEST_F(WindowTest, AKeyThatDoesNothingJustNowSaysWhy) {
+  open_surveys();
+  align();
+  window().press(ui::ActionId::step_review);
   window().frames(2);
-  EXPECT_DOUBLE_EQ(model().view.report_area_ha, 1.5);
+  window().press(ui::ActionId::review_dead);
+  window().frames(2);
+  ASSERT_FALSE(model().notices.all().empty());
+  EXPECT_EQ(model().notices.all().front().title, "Mark as dead: Select a tree first");
 }
 
 }  // namespace

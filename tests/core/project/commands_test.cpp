@@ -93,6 +93,31 @@ TEST_P(EveryCommand, AppliedRevertedAndAppliedAgainIsAppliedAndRevertingRestores
   EXPECT_EQ(state, applied);
 }
 
+bool is_stem(const ProjectState& state, StemRef stem) { return state.find(stem) != nullptr; }
+
+/// Everything that a project names is in it: else its file could not be read again.
+TEST_P(EveryCommand, LeavesNothingThatNamesWhatIsGone) {
+  const Project project = aligned_project();
+  ProjectState state = project.state();
+  for (auto& [pair, match] : state.matches) {  // each knows a second choice in the other surveys
+    match.second_choice = stem_of(project, 1, 0);
+    match.second_distance_m = 1.0;
+  }
+  GetParam().make(project)->apply(state);
+  for (const auto& [pair, match] : state.matches) {
+    EXPECT_TRUE(is_stem(state, pair.first) && is_stem(state, pair.second));
+    EXPECT_EQ(match.second_choice.has_value(), match.second_distance_m.has_value());
+    EXPECT_TRUE(!match.second_choice || is_stem(state, *match.second_choice));
+  }
+  for (const auto& [id, tree] : state.trees)
+    for (const StemRef& stem : tree.stems) EXPECT_TRUE(is_stem(state, stem));
+  for (const auto& [id, alignment] : state.alignments) EXPECT_NE(state.find(id), nullptr);
+  for (const auto& [id, coverage] : state.coverages) EXPECT_NE(state.find(id), nullptr);
+  for (const auto& [id, error_m] : state.dbh_error_m) EXPECT_NE(state.find(id), nullptr);
+  for (const PairReport& pair : state.pairs) EXPECT_TRUE(state.find(pair.a) != nullptr && state.find(pair.b) != nullptr);
+  EXPECT_TRUE(state.inventories.empty() || state.find(state.reference) != nullptr);
+}
+
 TEST(EditCommand, IsCalledWhatItWritesIntoTheLogWithTheStemsNames) {
   Project project = aligned_project();
   const StemRef a = stem_of(project, 0, 3), b = stem_of(project, 1, 3);
