@@ -30,7 +30,7 @@ std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state) {
     InventoryId reference;
     AlignHints::RoughPose pose;
     pose.inventory = inventory->id;
-    if (!(words >> reference.value >> pose.x_m >> pose.y_m >> pose.yaw_rad >> pose.radius_m) || state.find(reference) == nullptr || !state.is_placed(reference)) continue;
+    if (!(words >> reference.value >> pose.x_m >> pose.y_m >> pose.yaw_rad >> pose.radius_m >> pose.yaw_radius_rad >> pose.about_m.x() >> pose.about_m.y() >> pose.accepted) || state.find(reference) == nullptr || !state.is_placed(reference)) continue;
     const RigidTransform there = state.reference_from_inventory(reference) * RigidTransform::planar(pose.x_m, pose.y_m, pose.yaw_rad);
     pose.x_m = there.translation_m.x();
     pose.y_m = there.translation_m.y();
@@ -40,12 +40,25 @@ std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state) {
   return poses;
 }
 
+CommandPtr accept_proposed_pose(const ProjectState& state, InventoryId id) {
+  const RigidTransform& pose = state.alignments.at(id).reference_from_inventory;
+  AlignHints::RoughPose taken{id, pose.translation_m.x(), pose.translation_m.y(), roll_pitch_yaw(pose.rotation).yaw_rad};
+  taken.radius_m = 3.0;
+  taken.yaw_radius_rad = 0.1;
+  taken.accepted = true;
+  const std::vector<Stem>& stems = state.find(id)->stems;
+  for (const Stem& stem : stems) taken.about_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(stems.size());
+  return keep_rough_pose(state, taken);
+}
+
 CommandPtr keep_rough_pose(const ProjectState& state, const AlignHints::RoughPose& rough) {
-  const std::string value = std::to_string(state.reference.value) + " " + text_of(rough.x_m) + " " + text_of(rough.y_m) + " " + text_of(rough.yaw_rad) + " " + text_of(rough.radius_m);
+  std::string value = std::to_string(state.reference.value);
+  for (const double number : {rough.x_m, rough.y_m, rough.yaw_rad, rough.radius_m, rough.yaw_radius_rad, rough.about_m.x(), rough.about_m.y()}) value += " " + text_of(number);
+  value += rough.accepted ? " 1" : " 0";
   const Inventory* inventory = state.find(rough.inventory);
   std::vector<CommandPtr> commands;
   commands.push_back(set_setting(prefix + std::to_string(rough.inventory.value), value));
-  return group("Rough position of " + (inventory != nullptr ? inventory->name : std::string("a survey")), std::move(commands));
+  return group((rough.accepted ? "Accept the pose of " : "Rough position of ") + (inventory != nullptr ? inventory->name : std::string("a survey")), std::move(commands));
 }
 
 }  // namespace stemwise

@@ -13,5 +13,7 @@ bool is_rough_pose(const std::string& key);
 std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state);
 /// Keeps one, instead of an earlier one of the same survey.
 CommandPtr keep_rough_pose(const ProjectState& state, const AlignHints::RoughPose& rough);
+/// A person takes the pose that was found probable: every alignment from now on accepts what it finds there.
+CommandPtr accept_proposed_pose(const ProjectState& state, InventoryId id);
 
 }  // namespace stemwise

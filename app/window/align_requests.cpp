@@ -39,20 +39,26 @@ std::string sentence_of(const ProjectState& state) {
   return std::to_string(aligned) + " of " + std::to_string(others) + " aligned to the reference";
 }
 
-void tell_refusals(WindowModel& m) {
+/// One notice for all surveys of this status.
+void tell_all(WindowModel& m, AlignmentStatus status, const std::string& what, const std::string& help) {
   const ProjectState& state = m.document.state();
   std::vector<std::string> names;
   Issues reasons;
   for (const auto& [id, alignment] : state.alignments) {
-    if (alignment.status != AlignmentStatus::failed && alignment.status != AlignmentStatus::probable) continue;
+    if (alignment.status != status) continue;
     const Inventory* inventory = state.find(id);
     names.push_back(inventory != nullptr ? inventory->name : "An inventory");
     reasons.push_back(Issue{Severity::warning, "", 0, "", names.back() + ": " + alignment.reason, ""});
     m.view.selected_inventory = id;
   }
   if (names.empty()) return;
-  reasons.back().help = "Step 2 offers ways to help along.";
-  m.notices.add(Severity::warning, names.size() == 1 ? names.front() + " was not aligned" : std::to_string(names.size()) + " surveys were not aligned", reasons);
+  reasons.back().help = help;
+  m.notices.add(Severity::warning, (names.size() == 1 ? names.front() : std::to_string(names.size()) + " surveys") + what, reasons);
+}
+
+void tell_refusals(WindowModel& m) {
+  tell_all(m, AlignmentStatus::failed, " could not be aligned", "Step 2 offers ways to help along.");
+  tell_all(m, AlignmentStatus::probable, " could be aligned, but not with certainty", "Look at the proposed pose in step 2 and accept it, or help along.");
 }
 
 JobVerdict take_alignment(WindowModel& m, std::uint64_t revision, AlignOutcome outcome) {

@@ -24,7 +24,7 @@ struct Answer {
   }
   void operator()(const request::SaveProject& r) const { save_as(m, r.path); }
   void operator()(const request::SetDate& r) const { m.execute(set_inventory_date(r.inventory, r.date)); }
-  void operator()(const request::AcceptProbable& r) const { m.execute(accept_probable(r.inventory)); }
+  void operator()(const request::AcceptProbable& r) const { accept_pose_of(m, r.inventory); }
   void operator()(const request::LinkStems& r) const { use_tool(m, ui::Tool::link, r.a, r.b); }
   void operator()(const request::SelectGroup& r) const { select_group(m, r.trees); }
   void operator()(const request::RejectPair& r) const { m.execute(reject_match(r.a, r.b, stamp_now())); }

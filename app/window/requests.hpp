@@ -25,6 +25,7 @@ void split_selected(WindowModel& model);
 /// Surveys that could not be aligned (rescue_requests.cpp): two clicks make a pair, two pairs are enough.
 void pair_stem(WindowModel& model, StemRef stem);
 void align_by_pairs(WindowModel& model);
+void accept_pose_of(WindowModel& model, InventoryId inventory);  ///< the proposed one; aligns again with it
 void forget_used_pairs(WindowModel& model);
 /// The alignment, and the pairs that it was asked for with as links by hand: one change of the project.
 void apply_with_named_pairs(WindowModel& model, AlignOutcome outcome);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/rough_poses.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
 #include "ui/frame.hpp"
@@ -70,6 +71,11 @@ void pair_stem(WindowModel& m, StemRef stem) {
 void align_by_pairs(WindowModel& m) {
   m.view.tool = ui::Tool::select;
   m.view.link_from = {};
+  run_alignment(m);
+}
+
+void accept_pose_of(WindowModel& m, InventoryId inventory) {
+  m.execute(accept_proposed_pose(m.document.state(), inventory));
   run_alignment(m);
 }
 

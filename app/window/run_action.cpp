@@ -54,7 +54,7 @@ bool run_edit_action(WindowModel& m, ActionId action) {
     case align_cancel:
       if (const ui::JobView* job = m.status.running()) m.jobs.cancel(job->id);
       return true;
-    case align_accept_probable: m.execute(accept_probable(m.view.selected_inventory)); return true;
+    case align_accept_probable: accept_pose_of(m, m.view.selected_inventory); return true;
     default: return false;
   }
 }

@@ -26,7 +26,6 @@ CommandPtr set_reference(InventoryId id);
 /// Takes the result of align_surveys: poses, pairs and automatic matches replace the earlier ones, decisions by hand stay
 /// (linked stays linked, rejected stays rejected), tree ids stay wherever a tree keeps one of its stems.
 CommandPtr apply_alignment(SurveyAlignment result, std::vector<std::pair<InventoryId, Coverage>> coverages);
-CommandPtr accept_probable(InventoryId id);
 
 CommandPtr accept_match(StemRef a, StemRef b, EditStamp stamp);
 CommandPtr reject_match(StemRef a, StemRef b, EditStamp stamp);  ///< the two are different trees, also in later runs

@@ -172,7 +172,7 @@ bool in_order(const IndexedList& a, const IndexedList& b) {
 
 /// The window as seen from the other list.
 PoseWindow swapped(const PoseWindow& w) {
-  return {w.b_from_a.inverse(), w.b_from_a * w.about_m, w.radius_m, w.yaw_radius_rad, w.same_stand};
+  return {w.b_from_a.inverse(), w.b_from_a * w.about_m, w.radius_m, w.yaw_radius_rad, w.same_stand, w.accepted};
 }
 
 ListHints swapped(const ListHints& hints) {
@@ -234,6 +234,7 @@ void fill_acceptance(ListAlignment& result, const Search& search, double mirror,
 /// to one against chance there, and against the second best, make a pose probable that could not prove itself.
 Verdict accept_within(const Acceptance& a, const PoseWindow& window, Verdict verdict) {
   constexpr double log_odds = 5.0;
+  if (window.accepted && a.log_likelihood_ratio > 0.0) return {AlignmentStatus::aligned, ""};
   if (!window.same_stand || verdict.status != AlignmentStatus::failed) return verdict;
   if (a.log_likelihood_ratio - a.log_poses_tried < log_odds || a.log_likelihood_ratio - a.second_best < log_odds) return verdict;
   return {AlignmentStatus::probable, "too few stems to prove itself; the best of the poses that the common coordinate system allows"};

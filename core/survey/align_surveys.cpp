@@ -163,7 +163,7 @@ class Run {
       if (rough.inventory != inventories_[k]->id || on != reference_) continue;
       const RigidTransform on_from_k = prepared_[on].level_from_inventory * RigidTransform::planar(rough.x_m, rough.y_m, rough.yaw_rad) * prepared_[k].level_from_inventory.inverse();
       const Eigen::Vector3d about_m = prepared_[k].level_from_inventory * Eigen::Vector3d(rough.about_m.x(), rough.about_m.y(), 0.0);
-      hints.rough_pose = PoseWindow{planar_part(on_from_k), about_m.head<2>(), rough.radius_m, rough.yaw_radius_rad, rough.same_stand};
+      hints.rough_pose = PoseWindow{planar_part(on_from_k), about_m.head<2>(), rough.radius_m, rough.yaw_radius_rad, rough.same_stand, rough.accepted};
     }
     return hints;
   }

@@ -30,6 +30,7 @@ struct AlignHints {
     double radius_m = 10.0;       ///< how far off it may be
     double yaw_radius_rad = 0.35;
     Eigen::Vector2d about_m = Eigen::Vector2d::Zero();  ///< the point of the inventory that `radius_m` counts from
+    bool accepted = false;    ///< a person looked at this pose and takes it
     bool same_stand = false;  ///< both in one coordinate system: a small plot need not prove that it is the same stand
   };
   std::vector<SameTree> same_tree;   ///< linked or accepted: must join

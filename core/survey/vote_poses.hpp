@@ -14,6 +14,7 @@ struct PoseWindow {
   double radius_m = 10.0;
   double yaw_radius_rad = 0.35;
   bool same_stand = false;  ///< known beforehand (one coordinate system): only which pose of the window is asked
+  bool accepted = false;    ///< a person looked at this pose and takes it: it need not prove itself
 };
 
 /// A cell of the vote that stands out against chance.

@@ -100,13 +100,15 @@ void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventor
   const InventoryAlignment& a = it->second;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   if (!a.reason.empty()) w.paragraph(sentence(a.reason), TextRole::table, Tone::warning);
-  if (a.status == AlignmentStatus::aligned || a.status == AlignmentStatus::probable) {
+  if (a.status == AlignmentStatus::aligned) {  // a proposed pose has matched nothing yet
     w.fact("align/overlap/" + inventory.name, "Overlap", percent_text(a.overlap, 1), "Matched stems over all stems that both surveys should have seen.");
     w.fact("align/matched/" + inventory.name, "Matched stems", count_text(a.matched));
     w.fact("align/residual/" + inventory.name, "Residual", residual_text(a.residual_rms_m), "Root mean square of the planar distances of matched stems.");
     w.fact("align/observed/" + inventory.name, "Observed", observed_words(a.observed), "Which degrees of freedom the data decided; the others stay zero.");
+  }
+  if (a.status == AlignmentStatus::aligned || a.status == AlignmentStatus::probable) {
     w.fact("align/second/" + inventory.name, "Second-best pose", second_best_words(a.acceptance));
-    w.fact("align/probability/" + inventory.name, "Probability", fixed(a.acceptance.probability, 4), "That this is the right pose and no chance agreement.");
+    if (good) w.fact("align/probability/" + inventory.name, "Probability", fixed(a.acceptance.probability, 4), "That this is the right pose and no chance agreement.");
   }
   ImGui::PopStyleVar();
   if (a.status == AlignmentStatus::probable && w.button("align/accept/" + inventory.name, "Accept this pose", {.width = -1.0f})) {

@@ -42,14 +42,4 @@ CommandPtr apply_alignment(SurveyAlignment result, std::vector<std::pair<Invento
   });
 }
 
-CommandPtr accept_probable(InventoryId id) {
-  return whole_state("Accept probable alignment", [id](ProjectState& state) {
-    const auto found = state.alignments.find(id);
-    if (found == state.alignments.end() || found->second.status != AlignmentStatus::probable)
-      throw std::logic_error("only a probable alignment can be accepted");
-    found->second.status = AlignmentStatus::aligned;
-    assign_trees(state);
-  });
-}
-
 }  // namespace stemwise

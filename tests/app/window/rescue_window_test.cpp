@@ -190,5 +190,28 @@ TEST_F(WindowTest, BeforeAndAfterAlignmentStandSideBySideAndTheSecondBestPoseIsA
   EXPECT_EQ(window().value("viewport/banner").find("second-best pose") != std::string::npos, known);
 }
 
+TEST_F(RescueTest, AnAcceptedPoseMatchesItsStemsAndIsKeptByLaterRuns) {
+  open_corner(5);
+  ASSERT_FALSE(state().is_placed(later_));
+  const RigidTransform pose = true_pose();
+  AlignHints::RoughPose rough{later_, pose.translation_m.x() + 0.5, pose.translation_m.y() - 0.5, roll_pitch_yaw(pose.rotation).yaw_rad};
+  rough.radius_m = 10.0;
+  model().execute(keep_rough_pose(state(), rough));
+  align();
+  if (state().is_placed(later_)) GTEST_SKIP() << "SKIPPED: the rough position was enough";
+  ASSERT_EQ(state().alignments.at(later_).status, AlignmentStatus::probable) << state().alignments.at(later_).reason;
+  model().view.selected_inventory = later_;
+  window().frames(2);
+  window().press(ui::ActionId::align_accept_probable);
+  window().settle();
+  for (int run = 0; run < 2; ++run) {
+    ASSERT_TRUE(state().is_placed(later_)) << state().alignments.at(later_).reason;
+    EXPECT_GE(state().alignments.at(later_).matched, 3);
+    EXPECT_TRUE(state().alignments.at(later_).reason.empty());
+    EXPECT_LT(error_m(), 1.0);
+    align();
+  }
+}
+
 }  // namespace
 }  // namespace stemwise
