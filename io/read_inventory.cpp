@@ -43,7 +43,10 @@ Result<Inventory> read_from_project(const std::string& path, const ReadOptions& 
   }
   Inventory inventory = *chosen;
   inventory.id = {};
-  if (options.date) inventory.date = options.date;
+  if (options.date) {
+    inventory.date = options.date;
+    for (Stem& stem : inventory.stems) stem.date.reset();
+  }
   inventory.source.notes.push_back("from project " + path);
   return inventory;
 }

@@ -163,7 +163,7 @@ bool Widgets::slider(const std::string& path, float& value, float low, float hig
   const FieldPadding padding(*this);
   ImGui::PushID(path.c_str());
   ImGui::SetNextItemWidth(width_px > 0.0f ? width_px : available_width());
-  const bool changed = ImGui::SliderFloat("##slider", &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::SliderFloat("##slider", &value, low, high, format, ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);  // typing there would drop a decimal comma
   record_last(path, std::to_string(value));
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
   outline({from.x, from.y, to.x - from.x, to.y - from.y}, ImGui::IsItemActive() ? tokens().accent : tokens().line, px(6));

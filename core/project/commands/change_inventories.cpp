@@ -141,7 +141,11 @@ CommandPtr rename_inventory(InventoryId id, std::string name) {
 
 CommandPtr set_inventory_date(InventoryId id, std::optional<Date> date) {
   std::string label = date ? "Set date to " + to_string(*date) : "Clear date";
-  return edit_inventory(std::move(label), id, [date](const ProjectState&, Inventory& inventory) { inventory.date = date; });
+  return edit_inventory(std::move(label), id, [date](const ProjectState&, Inventory& inventory) {
+    inventory.date = date;
+    if (!date) return;
+    for (Stem& stem : inventory.stems) stem.date.reset();  // growth goes by the date that the person gives
+  });
 }
 
 CommandPtr replace_inventory(std::shared_ptr<const Inventory> inventory) {

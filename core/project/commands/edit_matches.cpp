@@ -53,7 +53,10 @@ void link(MatchEditor& editor, StemRef a, StemRef b) {
         const auto clash = std::find_if(others.begin(), others.end(), [&](StemRef o) { return o.inventory == stem.inventory; });
         if (clash != others.end()) editor.split(tree_b, {stem}, {ordered(stem, a)});
       }
+    const std::vector<StemRef> of_a = state.trees.at(tree_a).stems, of_b = state.trees.at(tree_b).stems;
     editor.merge(std::min(tree_a, tree_b), std::max(tree_a, tree_b));
+    for (const StemRef& one : of_a)  // the tree that the person sees, whatever a later run thinks of its parts
+      for (const StemRef& other : of_b) editor.set_match_state(one, other, MatchState::linked);
   }
   editor.set_match_state(a, b, MatchState::linked);
 }

@@ -356,5 +356,29 @@ TEST(SwapStems, BindsBothTreesWholeSoThatALaterRunKeepsThem) {
   }
 }
 
+TEST(SetDate, OverrulesTheDatesOfTheRowsSoThatGrowthGoesByIt) {
+  Project project;
+  for (const int year : {2013, 2018}) {
+    Inventory inventory = test::grid_inventory(std::to_string(year), date_from_civil(year, 7, 1), 12, year == 2018 ? 0.02 : 0.0);
+    for (Stem& stem : inventory.stems) stem.date = date_from_civil(year, 7, 1);
+    project.execute(add_inventory(inventory));
+  }
+  project.execute(apply_alignment(test::straight_alignment(project.state()), {}));
+  const ProjectState before = project.state();
+  const TreeId tree = before.tree_of(stem_of(project, 0, 3));
+  EXPECT_NEAR(*derive_tables(before).find(tree)->growth_m_per_year, 0.02 / 5.0, 1e-5);
+  project.execute(set_inventory_date(before.inventories[1]->id, date_from_civil(2015, 7, 1)));
+  EXPECT_NEAR(*derive_tables(project.state()).find(tree)->growth_m_per_year, 0.02 / 2.0, 2e-5);
+  project.undo();
+  EXPECT_EQ(project.state(), before);
+}
+
+TEST(LinkStems, BindsTheWholeTreeThatComesOfIt) {
+  Project project = aligned_project();
+  project.execute(unlink_stem(stem_of(project, 2, 3), stamp));
+  project.execute(link_stems(stem_of(project, 1, 3), stem_of(project, 2, 3), stamp));
+  for (const int survey : {0, 1}) EXPECT_EQ(project.state().matches.at(ordered(stem_of(project, survey, 3), stem_of(project, 2, 3))).state, MatchState::linked);
+}
+
 }  // namespace
 }  // namespace stemwise
