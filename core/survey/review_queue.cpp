@@ -95,13 +95,15 @@ DoubtKind kind_of(const QueueRow& row) {
 
 std::vector<QueueRow> review_queue(const ProjectState& state, const Tables& tables) {
   std::vector<QueueRow> queue;
+  std::set<TreeId> spoken_of;  // a swap makes and breaks many pairs: one answer per tree
   if (tables.inventories.size() < 2) return queue;
   for (std::size_t i = 0; i < tables.matches.size(); ++i) {
     const MatchRow& match = tables.matches[i];
     const Doubt doubt = doubt_of_match(state, tables, match);
     const bool decided = match.state != MatchState::automatic;
     const bool by_hand = match.state == MatchState::rejected || match.state == MatchState::linked;  // accepting what nobody doubted is no answer
-    if (doubt.weight >= least_doubt || by_hand) queue.push_back({match.tree, i, doubt.weight, doubt.why, decided});
+    const bool doubted = doubt.weight >= least_doubt;
+    if (doubted || (by_hand && spoken_of.insert(match.tree).second)) queue.push_back({match.tree, i, doubt.weight, doubt.why, decided});
   }
   for (const TreeRow& tree : tables.trees) {
     const Doubt doubt = doubt_of_tree(tree);

@@ -18,6 +18,10 @@ std::string count_words(const RulePreview& preview) {
   return broken == 0 ? "flags nothing" : "flags " + plural(broken, "pair", "pairs");
 }
 
+constexpr const char* own_rules_hint =
+    "A JSON file: {\"name\": \"mine\", \"rules\": [{\"flag\": \"too_fast\", \"growth_above_cm_per_year\": 3, \"species\": [\"Picea\"]}]}. Other limits: change_below_cm, ratio_below, ratio_above, "
+    "shrinkage_percent_per_year, least_dbh_cm. It then stands in this list: click it to use it.";
+
 }  // namespace
 
 void RulesForm::draw(Widgets& w, Frame& frame) {
@@ -36,7 +40,7 @@ void RulesForm::draw(Widgets& w, Frame& frame) {
   for (std::size_t i = rule_packs().size(); known && i < rules->packs.size(); ++i) draw_pack(w, frame, &rules->packs[i], rules->packs[i].pack.name, rules->packs[i].pack.name + ": own rules");
   ImGui::PopStyleVar();
   w.gap(4);
-  if (w.button("rules/own", "Own rules from a file…", {.quiet = true, .tooltip = "A JSON file; docs/rules.md names its keys"})) frame.view.dialog = Dialog::rules_file;
+  if (w.button("rules/own", "Own rules from a file…", {.quiet = true, .tooltip = own_rules_hint})) frame.view.dialog = Dialog::rules_file;
 }
 
 void RulesForm::draw_pack(Widgets& w, Frame& frame, const RulePreview* preview, const std::string& name, const std::string& title) {
@@ -56,7 +60,7 @@ void RulesForm::draw_pack(Widgets& w, Frame& frame, const RulePreview* preview, 
 void RulesForm::draw_counts(Widgets& w, const RulePreview& preview) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (const RuleCount& count : preview.counts) {
-    w.fact("rules/count/" + count.flag, "   " + count.flag, count_text(count.broken) + " of " + count_text(count.judged), count.meaning);
+    w.fact("rules/count/" + count.flag, "   " + flag_words(count.flag), count_text(count.broken) + " of " + count_text(count.judged), count.meaning);
   }
   ImGui::PopStyleVar();
 }
