@@ -5,11 +5,10 @@
 
 #include "core/geometry/rigid_transform.hpp"
 #include "core/project/commands.hpp"
+#include "core/project/rough_pose_key.hpp"
 
 namespace stemwise {
 namespace {
-
-constexpr const char* prefix = "rough_pose.";
 
 /// The shortest text that is read back as the same number.
 std::string text_of(double value) {
@@ -19,12 +18,10 @@ std::string text_of(double value) {
 
 }  // namespace
 
-bool is_rough_pose(const std::string& key) { return key.starts_with(prefix); }
-
 std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state) {
   std::vector<AlignHints::RoughPose> poses;
   for (const auto& inventory : state.inventories) {
-    const auto setting = state.settings.find(prefix + std::to_string(inventory->id.value));
+    const auto setting = state.settings.find(rough_pose_key(inventory->id));
     if (setting == state.settings.end() || inventory->id == state.reference) continue;
     std::istringstream words(setting->second);
     InventoryId reference;
@@ -57,7 +54,7 @@ CommandPtr keep_rough_pose(const ProjectState& state, const AlignHints::RoughPos
   value += rough.accepted ? " 1" : " 0";
   const Inventory* inventory = state.find(rough.inventory);
   std::vector<CommandPtr> commands;
-  commands.push_back(set_setting(prefix + std::to_string(rough.inventory.value), value));
+  commands.push_back(set_setting(rough_pose_key(rough.inventory), value));
   return group((rough.accepted ? "Accept the pose of " : "Rough position of ") + (inventory != nullptr ? inventory->name : std::string("a survey")), std::move(commands));
 }
 

@@ -6,8 +6,6 @@
 
 namespace stemwise {
 
-/// Whether a setting of a project is a rough position and not one of the alignment.
-bool is_rough_pose(const std::string& key);
 /// The rough positions that a person gave in this project, for every later alignment, in the frame of the reference of now. One
 /// that was given for a reference that has no place any more means nothing.
 std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state);

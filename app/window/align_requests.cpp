@@ -1,9 +1,9 @@
 #include <cstdlib>
 
 #include "app/align_job.hpp"
-#include "app/rough_poses.hpp"
 #include "app/window/requests.hpp"
 #include "core/project/commands.hpp"
+#include "core/project/rough_pose_key.hpp"
 #include "core/survey/unit_doubt.hpp"
 #include "ui/text/format.hpp"
 
@@ -21,7 +21,7 @@ AlignJobSettings settings_of(const ProjectState& state, Issues& issues) {
       settings.align.seed = std::strtoull(value.c_str(), nullptr, 10);
     } else if (key == "accept_probable") {
       settings.align.accept_probable = value == "true";
-    } else if (!key.starts_with("rules.") && !is_rough_pose(key)) {  // rules are for the tables, not for the alignment
+    } else if (!key.starts_with("rules.") && !is_rough_pose_key(key)) {  // rules are for the tables, not for the alignment
       const Issues wrong = set_field(fields, key, value);
       issues.insert(issues.end(), wrong.begin(), wrong.end());
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/project/rough_pose_key.hpp"
 #include "ui/panels/alignment_words.hpp"
 #include "ui/text/format.hpp"
 
@@ -115,7 +116,18 @@ void AlignPanel::draw_result(Widgets& w, Frame& frame, const Inventory& inventor
     frame.requests.emit(request::AcceptProbable{inventory.id});
   }
   draw_looks(w, frame, inventory, a);
+  draw_given_position(w, frame, inventory);
   if (bad && w.fold("align/rescue/" + inventory.name, "Help it along", rescue_open_)) rescue_.draw(w, frame, inventory);
+}
+
+/// What a person gave or accepted counts in every run, until it is taken back here.
+void AlignPanel::draw_given_position(Widgets& w, Frame& frame, const Inventory& inventory) {
+  const std::string key = rough_pose_key(inventory.id);
+  const auto given = frame.state().settings.find(key);
+  if (given == frame.state().settings.end() || given->second.empty()) return;
+  w.gap(4);
+  const std::string hint = "A position of " + inventory.name + " was given or accepted by hand and counts in every run. This takes it back; align again afterwards.";
+  if (w.button("align/forget/" + inventory.name, "Forget the position given by hand", {.width = -1.0f, .tooltip = hint})) frame.requests.emit(request::SetSetting{key, ""});
 }
 
 /// Two looks at one alignment: as it was given and as it is now; and the second-best pose, or the one that waits for a decision.

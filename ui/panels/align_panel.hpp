@@ -15,6 +15,7 @@ class AlignPanel {
   void draw_last_run(Widgets& w, const Frame& frame);
   void draw_settings(Widgets& w, Frame& frame);
   void draw_result(Widgets& w, Frame& frame, const Inventory& inventory);
+  void draw_given_position(Widgets& w, Frame& frame, const Inventory& inventory);
   void draw_looks(Widgets& w, Frame& frame, const Inventory& inventory, const InventoryAlignment& alignment);
 
   bool settings_open_ = false;

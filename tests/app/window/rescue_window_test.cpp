@@ -211,6 +211,11 @@ TEST_F(RescueTest, AnAcceptedPoseMatchesItsStemsAndIsKeptByLaterRuns) {
     EXPECT_LT(error_m(), 1.0);
     align();
   }
+  window().press(ui::ActionId::step_align);
+  window().settle();
+  ASSERT_TRUE(window().click("align/forget/2023"));
+  align();
+  EXPECT_FALSE(state().is_placed(later_));
 }
 
 }  // namespace

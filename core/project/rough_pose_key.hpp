@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "core/base/ids.hpp"
+
+namespace stemwise {
+
+/// The project's setting that keeps the position which a person gave for a survey, or accepted; an empty value: none.
+inline std::string rough_pose_key(InventoryId id) { return "rough_pose." + std::to_string(id.value); }
+inline bool is_rough_pose_key(const std::string& key) { return key.starts_with("rough_pose."); }
+
+}  // namespace stemwise
