@@ -35,6 +35,26 @@ void forget_matches_of(ProjectState& state, InventoryId id) {
   }
 }
 
+/// The sightings before and after the one that goes stay one tree: a match between them takes the place of the two.
+void bridge_over(ProjectState& state, InventoryId gone) {
+  const std::vector<InventoryId> order = state.by_date();
+  const auto place = [&](const StemRef& stem) { return std::find(order.begin(), order.end(), stem.inventory); };
+  for (const auto& entry : state.trees) {
+    std::vector<StemRef> stems = entry.second.stems;
+    std::sort(stems.begin(), stems.end(), [&](const StemRef& a, const StemRef& b) { return place(a) < place(b); });
+    for (std::size_t i = 1; i + 1 < stems.size(); ++i) {
+      if (stems[i].inventory != gone) continue;
+      const StemPair across = ordered(stems[i - 1], stems[i + 1]);
+      const auto before = state.matches.find(ordered(stems[i - 1], stems[i])), after = state.matches.find(ordered(stems[i], stems[i + 1]));
+      if (state.matches.contains(across) || before == state.matches.end() || after == state.matches.end()) continue;
+      const Match &first = before->second, &second = after->second;
+      const bool by_hand = first.state != MatchState::automatic && second.state != MatchState::automatic;
+      const double distance_m = (state.stem_in_reference_m(across.first) - state.stem_in_reference_m(across.second)).head<2>().norm();
+      state.matches[across] = {across.first, across.second, distance_m, std::min(first.confidence, second.confidence), by_hand ? MatchState::linked : MatchState::automatic, {}, {}};
+    }
+  }
+}
+
 /// A tree that has no other stem is gone; where none is left, ids begin again.
 void forget_stems_of(ProjectState& state, InventoryId id) {
   forget_matches_of(state, id);
@@ -114,6 +134,7 @@ CommandPtr remove_inventory(InventoryId id) {
   return whole_state("Remove inventory", [id](ProjectState& state) {
     slot(state, id);
     if (const InventoryId next = next_reference(state, id)) change_reference(state, next);  // the others keep their places
+    bridge_over(state, id);
     std::erase_if(state.inventories, [&](const auto& i) { return i->id == id; });
     forget_matches_of(state, id);
     std::erase_if(state.pairs, [&](const PairReport& p) { return p.a == id || p.b == id; });

@@ -380,5 +380,17 @@ TEST(LinkStems, BindsTheWholeTreeThatComesOfIt) {
   for (const int survey : {0, 1}) EXPECT_EQ(project.state().matches.at(ordered(stem_of(project, survey, 3), stem_of(project, 2, 3))).state, MatchState::linked);
 }
 
+TEST(RemoveInventory, LeavesWhatStoodBeforeAndAfterTogetherInItsTree) {
+  Project project = aligned_project();
+  const ProjectState before = project.state();
+  project.execute(remove_inventory(before.inventories[1]->id));
+  EXPECT_EQ(project.state().trees.size(), before.trees.size());
+  for (const auto& [id, tree] : project.state().trees) {
+    EXPECT_EQ(tree.stems.size(), 2u);
+    EXPECT_EQ(id, before.tree_of(tree.stems.front()));
+    EXPECT_TRUE(project.state().matches.at(ordered(tree.stems[0], tree.stems[1])).joins());
+  }
+}
+
 }  // namespace
 }  // namespace stemwise
