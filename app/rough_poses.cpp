@@ -37,7 +37,7 @@ std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state) {
   return poses;
 }
 
-CommandPtr accept_proposed_pose(const ProjectState& state, InventoryId id) {
+CommandPtr accept_proposed_pose(const ProjectState& state, InventoryId id, EditStamp stamp) {
   const RigidTransform& pose = state.alignments.at(id).reference_from_inventory;
   AlignHints::RoughPose taken{id, pose.translation_m.x(), pose.translation_m.y(), roll_pitch_yaw(pose.rotation).yaw_rad};
   taken.radius_m = 3.0;
@@ -45,17 +45,21 @@ CommandPtr accept_proposed_pose(const ProjectState& state, InventoryId id) {
   taken.accepted = true;
   const std::vector<Stem>& stems = state.find(id)->stems;
   for (const Stem& stem : stems) taken.about_m += Eigen::Vector2d(stem.x_m, stem.y_m) / static_cast<double>(stems.size());
-  return keep_rough_pose(state, taken);
+  return keep_rough_pose(state, taken, std::move(stamp));
 }
 
-CommandPtr keep_rough_pose(const ProjectState& state, const AlignHints::RoughPose& rough) {
+CommandPtr keep_rough_pose(const ProjectState& state, const AlignHints::RoughPose& rough, EditStamp stamp) {
   std::string value = std::to_string(state.reference.value);
   for (const double number : {rough.x_m, rough.y_m, rough.yaw_rad, rough.radius_m, rough.yaw_radius_rad, rough.about_m.x(), rough.about_m.y()}) value += " " + text_of(number);
   value += rough.accepted ? " 1" : " 0";
   const Inventory* inventory = state.find(rough.inventory);
   std::vector<CommandPtr> commands;
   commands.push_back(set_setting(rough_pose_key(rough.inventory), value));
-  return group((rough.accepted ? "Accept the pose of " : "Rough position of ") + (inventory != nullptr ? inventory->name : std::string("a survey")), std::move(commands));
+  std::string what = (rough.accepted ? "Accept the pose of " : "Rough position of ") + (inventory != nullptr ? inventory->name : std::string("a survey"));
+  const auto found = state.alignments.find(rough.inventory);
+  const bool was_proposed = found != state.alignments.end() && found->second.status == AlignmentStatus::probable;
+  commands.push_back(log_decision(what, was_proposed ? "probable" : "not aligned", rough.accepted ? "accepted" : "given by hand", std::move(stamp)));
+  return group(std::move(what), std::move(commands));
 }
 
 }  // namespace stemwise

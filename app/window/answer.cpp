@@ -57,7 +57,7 @@ struct Answer {
   void operator()(const request::Recover& r) const { answer_recovery(m, r.answer); }
   void operator()(const request::Leave& r) const { answer_leave(m, r.save); }
   void operator()(const request::RoughPose& r) const {
-    m.execute(keep_rough_pose(m.document.state(), {r.inventory, r.x_m, r.y_m, radians(r.yaw_deg), r.radius_m}));
+    m.execute(keep_rough_pose(m.document.state(), {r.inventory, r.x_m, r.y_m, radians(r.yaw_deg), r.radius_m}, stamp_now()));
     run_alignment(m);
   }
   void operator()(const request::Export& r) const { export_layer(m, r); }

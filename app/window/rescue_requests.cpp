@@ -75,7 +75,7 @@ void align_by_pairs(WindowModel& m) {
 }
 
 void accept_pose_of(WindowModel& m, InventoryId inventory) {
-  m.execute(accept_proposed_pose(m.document.state(), inventory));
+  m.execute(accept_proposed_pose(m.document.state(), inventory, stamp_now()));
   run_alignment(m);
 }
 

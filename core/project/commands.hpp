@@ -36,6 +36,8 @@ CommandPtr unlink_stem(StemRef stem, EditStamp stamp);
 CommandPtr set_fate(TreeId tree, std::optional<Fate> fate, EditStamp stamp);
 /// A sentence where the sightings say the opposite of what a person would mark; empty where it may be so.
 std::string why_not_fate(const ProjectState& state, TreeId tree, Fate fate);
+/// Writes a decision that is kept elsewhere (a position given by hand) into the edit log.
+CommandPtr log_decision(std::string what, std::string before, std::string after, EditStamp stamp);
 CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp);
 
 CommandPtr set_georeference(Georeference georeference);

@@ -136,6 +136,10 @@ std::string why_not_fate(const ProjectState& state, TreeId tree, Fate fate) {
   return "";
 }
 
+CommandPtr log_decision(std::string what, std::string before, std::string after, EditStamp stamp) {
+  return edit([=](MatchEditor& editor) { editor.log(stamp, what, before, after); });
+}
+
 CommandPtr set_tree_note(TreeId tree, std::string note, EditStamp stamp) {
   return edit([=](MatchEditor& editor) {
     TreeRecord record = editor.state().trees.at(tree);

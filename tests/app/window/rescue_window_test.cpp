@@ -196,7 +196,7 @@ TEST_F(RescueTest, AnAcceptedPoseMatchesItsStemsAndIsKeptByLaterRuns) {
   const RigidTransform pose = true_pose();
   AlignHints::RoughPose rough{later_, pose.translation_m.x() + 0.5, pose.translation_m.y() - 0.5, roll_pitch_yaw(pose.rotation).yaw_rad};
   rough.radius_m = 10.0;
-  model().execute(keep_rough_pose(state(), rough));
+  model().execute(keep_rough_pose(state(), rough, {"Ada", "2026-11-22T10:00:00Z", ""}));
   align();
   if (state().is_placed(later_)) GTEST_SKIP() << "SKIPPED: the rough position was enough";
   ASSERT_EQ(state().alignments.at(later_).status, AlignmentStatus::probable) << state().alignments.at(later_).reason;
@@ -204,6 +204,7 @@ TEST_F(RescueTest, AnAcceptedPoseMatchesItsStemsAndIsKeptByLaterRuns) {
   window().frames(2);
   window().press(ui::ActionId::align_accept_probable);
   window().settle();
+  EXPECT_EQ(state().edit_log.back().what, "Accept the pose of 2023");
   for (int run = 0; run < 2; ++run) {
     ASSERT_TRUE(state().is_placed(later_)) << state().alignments.at(later_).reason;
     EXPECT_GE(state().alignments.at(later_).matched, 3);

@@ -62,6 +62,7 @@ std::vector<Case> every_command() {
        }},
       {"SetFate", [](const Project& p) { return set_fate(p.state().tree_of(stem_of(p, 0, 3)), Fate::removed, stamp); }},
       {"SetNote", [](const Project& p) { return set_tree_note(p.state().tree_of(stem_of(p, 0, 3)), "fork", stamp); }},
+      {"LogDecision", [](const Project&) { return log_decision("Accept the pose of 2018", "probable", "accepted", stamp); }},
       {"SetGeoreference", [](const Project&) { return set_georeference(anchor); }},
       {"SetFusion", [](const Project&) { return set_fusion_policy(FusionPolicy::mean); }},
       {"SetCoverage", [](const Project& p) { return set_coverage(p.state().reference, {{{{0, 0}, {9, 0}, {9, 9}}}, CoverageSource::drawn}); }},
