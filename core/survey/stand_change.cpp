@@ -176,6 +176,7 @@ StandChange change_of(const ProjectState& state, const Tables& tables, const Row
   take(change.to, &Ends::later);
   for (const auto& [id, ends] : trees)
     if (!beyond.contains(id)) step.add(ends);
+  change.beyond_drawn = static_cast<int>(beyond.size());
   step.finish();
   set_area(tables, options, change);
   return change;

@@ -68,6 +68,7 @@ struct StandChange {
   std::string area_source;              ///< "given", "ground covered by both surveys"
   ComponentTable all{};
   int without_dbh = 0;                  ///< living stems that lack a DBH at an end where they were seen: in no component
+  int beyond_drawn = 0;                 ///< trees outside the ground that a person drew for a survey that saw them: in no component
   std::optional<double> survivor_growth_sq_m_per_year;  ///< each stem's growth over its own years, summed
   std::vector<SpeciesChange> by_species;                ///< sorted by name
   std::vector<ClassChange> by_class;                    ///< ascending, without empty ones at both ends

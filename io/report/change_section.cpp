@@ -48,6 +48,7 @@ ReportTable component_table(const ReportModel& model, const StandChange& change)
   add("Stock", all, true, true, on_ground_sq_m);
   table.note = "Every living stem with a DBH is in exactly one component: the later stock is the earlier one, plus what survivors grew, plus all that came, less all that went. ";
   table.note += change.area_ha ? "Hectares: " + fixed(*change.area_ha, 3) + " (" + change.area_source + "); what one survey did not look at lies elsewhere and is not divided by them." : "No area is known: nothing is said per hectare.";
+  if (change.beyond_drawn > 0) table.note += " " + std::to_string(change.beyond_drawn) + " trees stand outside the coverage that was drawn for a survey that saw them, and are in no component.";
   if (change.without_dbh > 0) table.note += " " + std::to_string(change.without_dbh) + " living stems lack a DBH and are in no component.";
   return table;
 }

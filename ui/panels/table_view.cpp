@@ -47,6 +47,12 @@ void apply_sorting(const TableView& table) {
   specs->SpecsDirty = false;
 }
 
+/// A row that was clicked does not move away under the mouse.
+bool is_in_sight(std::size_t row, float row_height) {
+  const float top = row_height * static_cast<float>(row) - ImGui::GetScrollY();
+  return top >= 0.0f && top + 2.0f * row_height <= ImGui::GetWindowHeight();  // the head takes one row of the height
+}
+
 /// Tab goes to one row only, and on to the next control: through the rows lead the arrow keys, which select.
 std::size_t row_of_tab(const TableView& table) {
   for (std::size_t row = 0; table.selected && row < table.rows; ++row)
@@ -109,7 +115,7 @@ void draw_table(Widgets& w, const TableView& table) {
     apply_sorting(table);
     const float row_height = w.px(28);
     const std::size_t by_tab = row_of_tab(table);
-    if (table.scroll_to < table.rows) ImGui::SetScrollY(std::max(0.0f, row_height * (static_cast<float>(table.scroll_to) - 2.0f)));
+    if (table.scroll_to < table.rows && !is_in_sight(table.scroll_to, row_height)) ImGui::SetScrollY(std::max(0.0f, row_height * (static_cast<float>(table.scroll_to) - 2.0f)));
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(table.rows), row_height);
     while (clipper.Step()) {

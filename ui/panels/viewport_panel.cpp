@@ -49,6 +49,7 @@ std::string banner_words(const Frame& frame) {
 
 void ViewportPanel::draw(Widgets& w, Frame& frame, const Rect& rect) {
   draw_picture(w, frame, rect);
+  draw_over_picture(w, frame, rect);  // under the card of the tree
   draw_hover(w, frame, rect);
   draw_tools(w, frame, rect);
   draw_banner(w, frame, rect);
@@ -261,7 +262,7 @@ void ViewportPanel::draw_selection_box(Widgets& w, Frame& frame, const Rect& rec
   w.outline(drawn, w.tokens().accent);
 }
 
-void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
+void ViewportPanel::draw_over_picture(Widgets& w, Frame& frame, const Rect& rect) {
   if (frame.status.measure_line) {
     const OverlayLine& line = *frame.status.measure_line;
     const ImVec2 a{rect.x + static_cast<float>(line.x0_px), rect.y + static_cast<float>(line.y0_px)};
@@ -273,6 +274,9 @@ void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
   }
   draw_selection_box(w, frame, rect);
   draw_lines(w, frame, rect);
+}
+
+void ViewportPanel::draw_banner(Widgets& w, Frame& frame, const Rect& rect) {
   run_shape_keys(frame);
   const std::string text = banner_words(frame);
   if (text.empty()) return;

@@ -19,6 +19,7 @@ class ViewportPanel {
   void draw_lines(Widgets& w, Frame& frame, const Rect& rect);
   void run_shape_keys(Frame& frame);
   void draw_selection_box(Widgets& w, Frame& frame, const Rect& rect);
+  void draw_over_picture(Widgets& w, Frame& frame, const Rect& rect);
   void draw_banner(Widgets& w, Frame& frame, const Rect& rect);
 
   float press_x_ = 0.0f, press_y_ = 0.0f;

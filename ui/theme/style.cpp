@@ -53,7 +53,8 @@ void set_controls(ImVec4* c, const Tokens& t) {
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_FrameBgActive] = vec(t.canvas);
   c[ImGuiCol_Button] = vec(t.canvas);
   c[ImGuiCol_ButtonHovered] = c[ImGuiCol_ButtonActive] = vec(t.accent_soft);
-  c[ImGuiCol_Header] = c[ImGuiCol_HeaderHovered] = c[ImGuiCol_HeaderActive] = vec(t.accent_soft);
+  c[ImGuiCol_Header] = c[ImGuiCol_HeaderActive] = vec(t.accent_soft);
+  c[ImGuiCol_HeaderHovered] = vec(t.hover);  // what the mouse is over is not what is selected
   c[ImGuiCol_CheckMark] = vec(t.accent);
   c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = vec(t.accent);
   c[ImGuiCol_TextSelectedBg] = vec(t.accent.with_alpha(0.30f));

@@ -88,6 +88,7 @@ TEST(StandChange, CountsPerHectareOnlyWhatStandsOnTheGroundThatWasDrawn) {
   const StandChange change = stand_changes(project.state(), tables).front();
   EXPECT_NEAR(*change.area_ha, 0.0625, 1e-9);
   EXPECT_EQ(earlier_stock(change.all).stems, 10);
+  EXPECT_GT(change.beyond_drawn, 0);
   const ReportModel model = make_report_model(project.state(), tables, {});
   EXPECT_EQ(model.surveys[0].stems_with_dbh, 10);
   EXPECT_EQ(model.surveys[0].beyond_area, 10);
