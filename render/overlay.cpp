@@ -69,7 +69,7 @@ class OverlayPainter {
   void labels() const {
     if (options_.moving || view_.kind != ViewKind::map) return;
     const double spacing_px = scene_.spacing_m / view_.map.metres_per_px / view_.px_scale;
-    if (spacing_px < 24.0) return;  // nearer to each other than that no label would tell which circle it names
+    if (spacing_px < 40.0) return;  // nearer to each other than that labels would lie over the circles of others
     std::vector<const Mark*> seen;
     for (const Mark& mark : scene_.marks) {
       const Eigen::Vector2d pixel = view_.map.pixels_of(mark.base_m.head<2>(), view_.size);
