@@ -27,7 +27,8 @@ std::vector<AlignHints::RoughPose> rough_poses(const ProjectState& state) {
     InventoryId reference;
     AlignHints::RoughPose pose;
     pose.inventory = inventory->id;
-    if (!(words >> reference.value >> pose.x_m >> pose.y_m >> pose.yaw_rad >> pose.radius_m >> pose.yaw_radius_rad >> pose.about_m.x() >> pose.about_m.y() >> pose.accepted) || state.find(reference) == nullptr || !state.is_placed(reference)) continue;
+    words >> reference.value >> pose.x_m >> pose.y_m >> pose.yaw_rad >> pose.radius_m >> pose.yaw_radius_rad >> pose.about_m.x() >> pose.about_m.y() >> pose.accepted;
+    if (!words || state.find(reference) == nullptr || !state.is_placed(reference)) continue;
     const RigidTransform there = state.reference_from_inventory(reference) * RigidTransform::planar(pose.x_m, pose.y_m, pose.yaw_rad);
     pose.x_m = there.translation_m.x();
     pose.y_m = there.translation_m.y();

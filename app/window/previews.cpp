@@ -7,8 +7,6 @@
 namespace stemwise {
 namespace {
 
-using Shared = std::shared_ptr<const ui::Derived>;
-
 /// Starts a job whose value goes to `place` in the status.
 template <class Preview, class Work>
 void start(WindowModel& m, std::optional<Preview> ui::WindowStatus::*place, Work work) {

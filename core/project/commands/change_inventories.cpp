@@ -6,6 +6,7 @@
 #include "core/project/change_reference.hpp"
 #include "core/project/commands.hpp"
 #include "core/project/commands/whole_state.hpp"
+#include "core/project/rough_pose_key.hpp"
 
 namespace stemwise {
 namespace {
@@ -53,6 +54,12 @@ void bridge_over(ProjectState& state, InventoryId gone) {
       state.matches[across] = {across.first, across.second, distance_m, std::min(first.confidence, second.confidence), by_hand ? MatchState::linked : MatchState::automatic, {}, {}};
     }
   }
+}
+
+/// Positions that a person gave for it, or in its frame: its number may become another survey's.
+void forget_positions_of(ProjectState& state, InventoryId id) {
+  const std::string in_its_frame = std::to_string(id.value) + " ";
+  std::erase_if(state.settings, [&](const auto& setting) { return is_rough_pose_key(setting.first) && (setting.first == rough_pose_key(id) || setting.second.starts_with(in_its_frame)); });
 }
 
 /// A tree that has no other stem is gone; where none is left, ids begin again.
@@ -137,6 +144,7 @@ CommandPtr remove_inventory(InventoryId id) {
     bridge_over(state, id);
     std::erase_if(state.inventories, [&](const auto& i) { return i->id == id; });
     forget_matches_of(state, id);
+    forget_positions_of(state, id);
     std::erase_if(state.pairs, [&](const PairReport& p) { return p.a == id || p.b == id; });
     state.alignments.erase(id);
     state.coverages.erase(id);

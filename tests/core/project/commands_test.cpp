@@ -3,6 +3,7 @@
 #include "core/geometry/rigid_transform.hpp"
 #include "core/project/commands/match_editor.hpp"
 #include "core/project/regroup_commands.hpp"
+#include "core/project/rough_pose_key.hpp"
 #include "core/survey/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -355,6 +356,19 @@ TEST(SwapStems, BindsBothTreesWholeSoThatALaterRunKeepsThem) {
     EXPECT_EQ(project.state().matches.at(ordered(stem_of(project, 0, first), middle)).state, MatchState::linked);
     EXPECT_EQ(project.state().matches.at(ordered(middle, stem_of(project, 2, last))).state, MatchState::linked);
   }
+}
+
+TEST(RemoveInventory, ForgetsThePositionsThatWereGivenForItOrInItsFrame) {
+  Project project = aligned_project();
+  const auto id = [&](std::size_t i) { return project.state().inventories[i]->id; };
+  const std::string reference = std::to_string(project.state().reference.value);
+  const InventoryId last = id(2), middle = id(1);
+  project.execute(set_setting(rough_pose_key(last), reference + " 1 2 0.1 3 0.1 0 0 1"));
+  project.execute(set_setting(rough_pose_key(middle), std::to_string(last.value) + " 1 2 0.1 3 0.1 0 0 1"));
+  project.execute(remove_inventory(last));
+  EXPECT_TRUE(project.state().settings.empty());  // another survey may get its number
+  project.undo();
+  EXPECT_EQ(project.state().settings.size(), 2u);
 }
 
 TEST(SetDate, OverrulesTheDatesOfTheRowsSoThatGrowthGoesByIt) {
